@@ -1,0 +1,27 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "libdepixel/core/options.hpp"
+
+namespace depixel {
+
+/// Adds a flag for every row of the option table; parsing then writes to `options`, which must outlive the
+/// app.
+void add_option_flags(CLI::App& app, Options& options);
+
+/// Adds a flag that takes one of some names, which must outlive the app.
+/// \param choose  is told the index of the name that is given.
+CLI::Option* add_choice_flag(CLI::App& app, const std::string& flag, const std::string& help,
+                             std::span<const std::string_view> names, const std::function<void(int)>& choose);
+
+/// A number in decimal digits, finite, that is all of the text; none otherwise.
+std::optional<double> parse_number(std::string_view text);
+std::optional<int> parse_count(std::string_view text);
+
+}  // namespace depixel

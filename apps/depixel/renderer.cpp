@@ -1,0 +1,79 @@
+#include "apps/depixel/renderer.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <string>
+
+#include "apps/common/encode_png.hpp"
+#include "apps/common/files.hpp"
+#include "apps/common/limits.hpp"
+#include "apps/depixel/stopwatch.hpp"
+#include "libdepixel/svg/svg_writer.hpp"
+
+namespace depixel {
+namespace {
+
+constexpr double kDefaultScale = 4, kDefaultStageScale = 16;
+
+using File = std::vector<std::uint8_t>;
+
+}  // namespace
+
+tl::expected<OutputSize, Error> output_size(const Arguments& arguments, int width, int height) {
+  const double scale = arguments.scale.value_or(arguments.stage ? kDefaultStageScale : kDefaultScale);
+  const double out_width = arguments.size ? arguments.size->width : std::round(width * scale);
+  const double out_height = arguments.size ? arguments.size->height : std::round(height * scale);
+  if (out_width < 1 || out_height < 1) {
+    return tl::unexpected(
+        Error{fmt::format("A picture of {} x {} pixels has none left at scale {}.", width, height, scale)});
+  }
+  if (out_width > kMaxSide || out_height > kMaxSide || out_width * out_height > double(kMaxOutputPixels)) {
+    return tl::unexpected(Error{fmt::format(
+        "An output of {} x {} pixels is too large: at most {} a side and {} in all; choose a smaller "
+        "--scale or write SVG.",
+        out_width, out_height, kMaxSide, kMaxOutputPixels)});
+  }
+  return OutputSize{static_cast<int>(out_width), static_cast<int>(out_height)};
+}
+
+tl::expected<File, Error> Renderer::render(const FrameView& frame, Format format, RunStats& stats) {
+  const auto size = output_size(arguments_, frame.width, frame.height);
+  if (format == Format::png && !size) return tl::unexpected(size.error());
+
+  vectorizer_.vectorize(frame, arguments_.options);
+  stats.add(vectorizer_.stats());
+  if (format == Format::svg) {
+    const Stopwatch drawing(stats.draw_ns);
+    const std::string svg = draw_svg(frame);
+    const auto bytes = bytes_of(svg);
+    return File(bytes.begin(), bytes.end());
+  }
+  {
+    const Stopwatch drawing(stats.draw_ns);
+    draw_picture(frame, *size);
+  }
+  const Stopwatch writing(stats.write_ns);
+  File png = encode_png(picture_.view());
+  if (png.empty()) return tl::unexpected(Error{"There is not enough memory to write the picture."});
+  return png;
+}
+
+std::string Renderer::draw_svg(const FrameView& frame) const {
+  if (arguments_.stage)
+    return write_stage_svg(make_stage_drawing(*arguments_.stage, frame, arguments_.options));
+  return write_svg(vectorizer_.map(), vectorizer_.graph());
+}
+
+void Renderer::draw_picture(const FrameView& frame, OutputSize size) {
+  picture_.resize(size.width, size.height);
+  if (arguments_.stage) {
+    paint_stage(make_stage_drawing(*arguments_.stage, frame, arguments_.options), picture_.target());
+    return;
+  }
+  const PlanarMap& map = vectorizer_.map();
+  raster_.draw(map, View::fit(map.lattice, size.width, size.height), arguments_.options.linear_light,
+               arguments_.options.threads, picture_.target());
+}
+
+}  // namespace depixel

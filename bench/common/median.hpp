@@ -1,0 +1,31 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+namespace depixel::bench {
+
+/// The middle of some samples (of an even number, the upper one). At least one sample.
+inline double median(std::vector<double> samples) {
+  const auto middle = samples.begin() + std::ptrdiff_t(samples.size() / 2);
+  std::nth_element(samples.begin(), middle, samples.end());
+  return *middle;
+}
+
+/// Wall-clock milliseconds that a call takes.
+template <typename Work>
+double time_ms(Work&& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Calls round() at least min_rounds times and until the seconds have passed.
+template <typename Round>
+void repeat_for(double seconds, int min_rounds, Round&& round) {
+  double spent_ms = 0;
+  for (int done = 0; done < min_rounds || spent_ms < 1000 * seconds; ++done) spent_ms += time_ms(round);
+}
+
+}  // namespace depixel::bench

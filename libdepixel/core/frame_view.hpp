@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "libdepixel/core/color.hpp"
+
+namespace depixel {
+
+/// A picture in somebody else's memory: rows of RGBA pixels, top row first. Nothing is owned.
+struct FrameView {
+  const std::uint8_t* pixels = nullptr;  ///< 4 bytes a pixel: red, green, blue, straight alpha
+  int width = 0;                         ///< pixels
+  int height = 0;                        ///< pixels
+  std::ptrdiff_t pitch = 0;              ///< bytes from one row to the next
+};
+
+/// Like FrameView, to be written to.
+struct PictureView {
+  std::uint8_t* pixels = nullptr;
+  int width = 0;
+  int height = 0;
+  std::ptrdiff_t pitch = 0;
+};
+
+}  // namespace depixel

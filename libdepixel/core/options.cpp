@@ -1,0 +1,44 @@
+#include "libdepixel/core/options.hpp"
+
+#include <array>
+
+namespace depixel {
+namespace {
+
+constexpr std::array<std::string_view, 2> kSimilarityNames{"exact", "merge"};
+constexpr std::array<std::string_view, 3> kSplineNames{"adaptive", "approximate", "interpolate"};
+constexpr std::array<std::string_view, 3> kSmoothingNames{"energy", "average", "none"};
+
+template <auto Member>
+ChoiceOption choice(std::span<const std::string_view> names) {
+  using Enum = std::remove_cvref_t<decltype(Options{}.*Member)>;
+  return {names, [](const Options& o) { return static_cast<int>(o.*Member); },
+          [](Options& o, int value) { o.*Member = static_cast<Enum>(value); }};
+}
+
+constexpr double kMaxWeight = 1000.0;
+constexpr int kMaxThreads = 256;
+
+}  // namespace
+
+std::span<const OptionInfo> option_table() {
+  static const std::array<OptionInfo, 9> kTable{{
+      {"similarity", "Pixels belong together when their colours are equal (exact) or alike (merge)",
+       choice<&Options::similarity>(kSimilarityNames)},
+      {"connect-lines", "Join lines of similar colour across diagonals",
+       SwitchOption{&Options::connect_lines}},
+      {"spline", "How splines follow the cell graph", choice<&Options::spline>(kSplineNames)},
+      {"smoothing", "How staircases are removed", choice<&Options::smoothing>(kSmoothingNames)},
+      {"curve-weight", "Weight of the longer curve's vote at a crossing",
+       NumberOption{&Options::curve_weight, 0.0, kMaxWeight}},
+      {"sparse-weight", "Weight of the sparser component's vote at a crossing",
+       NumberOption{&Options::sparse_weight, 0.0, kMaxWeight}},
+      {"island-weight", "Vote against cutting off a single pixel at a crossing",
+       NumberOption{&Options::island_weight, 0.0, kMaxWeight}},
+      {"linear-light", "Blend colours in linear light at edges", SwitchOption{&Options::linear_light}},
+      {"threads", "Threads to draw with", CountOption{&Options::threads, 1, kMaxThreads}},
+  }};
+  return kTable;
+}
+
+}  // namespace depixel

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <variant>
+
+namespace depixel {
+
+enum class Similarity { exact, merge };
+enum class SplineKind { adaptive, approximate, interpolate };
+enum class Smoothing { energy, average, none };
+
+/// Everything that a user can choose about vectorizing and drawing. The defaults are the best-scoring ones.
+struct Options {
+  Similarity similarity = Similarity::exact;
+  bool connect_lines = false;
+  SplineKind spline = SplineKind::interpolate;
+  Smoothing smoothing = Smoothing::energy;
+  double curve_weight = 1.0;
+  double sparse_weight = 1.0;
+  double island_weight = 5.0;
+  bool linear_light = false;
+  int threads = 1;
+
+  friend bool operator==(const Options&, const Options&) = default;
+};
+
+/// A choice among names; names[i] stands for enumerator i.
+struct ChoiceOption {
+  std::span<const std::string_view> names;
+  int (*get)(const Options&);
+  void (*set)(Options&, int);
+};
+struct SwitchOption {
+  bool Options::*value;
+};
+struct NumberOption {
+  double Options::*value;
+  double minimum, maximum;
+};
+struct CountOption {
+  int Options::*value;
+  int minimum, maximum;
+};
+
+/// One row of the option table, from which every front end makes its flags, widgets or settings.
+struct OptionInfo {
+  std::string_view name;  ///< as on the command line, without dashes
+  std::string_view help;  ///< one sentence without the full stop
+  std::variant<ChoiceOption, SwitchOption, NumberOption, CountOption> kind;
+};
+
+/// All options, in the order in which front ends show them.
+std::span<const OptionInfo> option_table();
+
+}  // namespace depixel

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
+/// Put before a function: it is compiled once for all processors and once for those with AVX2, and the right
+/// one is chosen when the program starts. Results are the same bits.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define DEPIXEL_VECTOR_CLONES __attribute__((target_clones("avx2", "default")))
+#else
+#define DEPIXEL_VECTOR_CLONES
+#endif
+
+namespace depixel {
+
+/// Vectors from and to memory of any alignment.
+template <typename Vector>
+Vector load_vector(const void* p) {
+  Vector v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+template <typename Vector>
+void store_vector(void* p, Vector v) {
+  std::memcpy(p, &v, sizeof v);
+}
+
+/// Eight floats that are worked on together; operators act on each lane. Plain IEEE arithmetic, so the bits
+/// are those of scalar code.
+using Float8 = float __attribute__((vector_size(32)));
+constexpr int kFloatLanes = 8;
+
+inline Float8 load8(const float* p) {
+  return load_vector<Float8>(p);
+}
+inline void store8(float* p, Float8 v) {
+  store_vector(p, v);
+}
+inline Float8 max8(Float8 a, Float8 b) {
+  return a > b ? a : b;
+}
+inline Float8 abs8(Float8 v) {
+  return max8(v, -v);
+}
+inline Float8 clamp8(Float8 v, float low, float high) {
+  const Float8 lows = Float8{} + low, highs = Float8{} + high;
+  v = v < lows ? lows : v;
+  return v > highs ? highs : v;
+}
+
+/// Four integers that are worked on together.
+using Int4 = std::int32_t __attribute__((vector_size(16)));
+
+/// Four integers of 0..255 as bytes, the first lowest in memory.
+inline std::uint32_t pack_bytes(Int4 v) {
+#ifdef __SSE2__
+  const auto words = _mm_packs_epi32(reinterpret_cast<__m128i>(v), reinterpret_cast<__m128i>(v));
+  return static_cast<std::uint32_t>(_mm_cvtsi128_si32(_mm_packus_epi16(words, words)));
+#else
+  const std::uint8_t bytes[4] = {static_cast<std::uint8_t>(v[0]), static_cast<std::uint8_t>(v[1]),
+                                 static_cast<std::uint8_t>(v[2]), static_cast<std::uint8_t>(v[3])};
+  return load_vector<std::uint32_t>(bytes);
+#endif
+}
+
+/// Four differences of -255..255, ready to be multiplied by a common factor of at most 2^17 in magnitude.
+class LevelDifference {
+ public:
+  explicit LevelDifference(Int4 difference) {
+#ifdef __SSE2__
+    // Pairs of 16 bits: 128 times the difference for the factor's upper bits, and the difference for its
+    // lower seven.
+    pairs_ = (difference << 7 & 0xffff) | difference << 16;
+#else
+    pairs_ = difference;
+#endif
+  }
+  Int4 times(int factor) const {
+#ifdef __SSE2__
+    const auto split = _mm_set1_epi32((factor >> 7 & 0xffff) | (factor & 127) << 16);
+    return reinterpret_cast<Int4>(_mm_madd_epi16(reinterpret_cast<__m128i>(pairs_), split));
+#else
+    return pairs_ * factor;
+#endif
+  }
+  LevelDifference operator-() const {
+    LevelDifference negated(*this);
+#ifdef __SSE2__
+    negated.pairs_ =
+        reinterpret_cast<Int4>(_mm_sub_epi16(_mm_setzero_si128(), reinterpret_cast<__m128i>(pairs_)));
+#else
+    negated.pairs_ = -pairs_;
+#endif
+    return negated;
+  }
+
+ private:
+  Int4 pairs_;
+};
+
+/// Sixteen bytes, and four words of 32 bits.
+constexpr int kWordLanes = 4;
+using Byte16 = std::uint8_t __attribute__((vector_size(16)));
+using Word4 = std::uint32_t __attribute__((vector_size(16)));
+
+/// One bit of each of sixteen bytes, the first byte's lowest.
+inline std::uint32_t gather_bits(Byte16 bytes, int bit) {
+#ifdef __SSE2__
+  const auto moved = _mm_slli_epi16(reinterpret_cast<__m128i>(bytes), 7 - bit);
+  return static_cast<std::uint32_t>(_mm_movemask_epi8(moved));
+#else
+  std::uint32_t bits = 0;
+  for (int i = 0; i < 16; ++i) bits |= static_cast<std::uint32_t>(bytes[i] >> bit & 1) << i;
+  return bits;
+#endif
+}
+
+}  // namespace depixel

@@ -1,0 +1,244 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "libdepixel/raster/colour_model.hpp"
+
+namespace depixel {
+
+/// Sums of coverage times colour change for a band of output rows.
+///
+/// A line that goes down adds, to every pixel it crosses, its colour change times the area to its right
+/// inside the pixel, and to the next pixel the rest of the height it covers; a running sum along the row then
+/// gives the colours. All sums are integers. Source: FreeType's smooth rasteriser; font-rs.
+template <typename Model>
+class BandSums {
+ public:
+  using Sums = typename Model::Sums;
+  using Change = typename Model::Change;
+
+  static constexpr int kRows = 16;
+
+  /// Sets the width of rows, in output pixels; keeps all else when it stays.
+  void resize(int width) {
+    if (width == width_) return;
+    width_ = width;
+    right_ = width * kRasterSubpixels;
+    words_ = width / kWordPixels + 1;
+    sums_.assign(std::size_t{kRows} * stride(), Sums{});
+    touched_.assign(std::size_t{kRows} * words_, 0);
+  }
+
+  /// Starts a band: output rows first_row .. first_row + rows - 1.
+  void start(int first_row, int rows) {
+    top_ = first_row * kRasterSubpixels;
+    bottom_ = top_ + rows * kRasterSubpixels;
+  }
+
+  /// Adds a line, in output subpixels; parts outside the band are left out. Where a line meets the boundary
+  /// of a row depends on the line alone, so a line that crosses bands adds up to the same as in one band.
+  /// \param change  from the colour on its right to the colour on its left, going from (x0, y0) to (x1, y1).
+  void add_line(int x0, int y0, int x1, int y1, const Change& change) {
+    // Upside down, a line changes colours the other way. Selections, not branches: directions cannot be
+    // foretold.
+    const bool is_upwards = y0 > y1;
+    const int top_x = is_upwards ? x1 : x0, top_y = is_upwards ? y1 : y0;
+    const int bottom_x = is_upwards ? x0 : x1, bottom_y = is_upwards ? y0 : y1;
+    const int from = std::max(top_y, top_), to = std::min(bottom_y, bottom_);
+    if (from >= to) return;
+    const int width = bottom_x - top_x, height = bottom_y - top_y;
+    const Ratio slope(width, height);
+    const bool stays_inside = std::min(x0, x1) >= 0 && std::max(x0, x1) < right_;
+    Slice slice{change, Ratio(height, width == 0 ? 1 : std::abs(width)), is_upwards ? -1 : 1, 0, 0, 0, 0};
+    int x = top_x + slope.times(from - top_y);
+    for (int y = from; y < to;) {
+      const int next_y = std::min(to, (y | (kSub - 1)) + 1);
+      const int next_x = next_y == bottom_y ? bottom_x : top_x + slope.times(next_y - top_y);
+      slice.row = (y - top_) >> kSubBits;
+      slice.left = std::min(x, next_x);
+      slice.right = std::max(x, next_x);
+      slice.height = next_y - y;
+      if (!stays_inside) clip(slice);
+      add_slice(slice);
+      x = next_x;
+      y = next_y;
+    }
+  }
+
+  /// Turns the sums of a row of the band into pixels, and clears them.
+  void resolve(int row, std::uint8_t* out) {
+    RowState state{sums_.data() + row * stride(), out, Sums{}, Model::decode(Sums{}), 0};
+    std::uint64_t* touched = touched_.data() + std::size_t(row) * words_;
+    for (int word = 0; word < words_; ++word) {
+      const std::uint64_t bits = touched[word];
+      if (bits == 0) continue;
+      touched[word] = 0;
+      const int first = word * kWordPixels;
+      if (first + kWordPixels <= width_ && is_crowded(bits)) {
+        fill(state, first);
+        resolve_all(state, first);
+      } else {
+        resolve_touched(state, first, bits);
+      }
+    }
+    fill(state, width_);
+  }
+
+ private:
+  static constexpr int kWordPixels = 64;
+  static constexpr int kSub = kRasterSubpixels;
+  static constexpr int kSubBits = std::countr_zero(static_cast<unsigned>(kSub));
+
+  std::size_t stride() const { return static_cast<std::size_t>(width_) + 1; }
+
+  /// How far a row has been resolved: pixels before `done` are written, `running` is the sum of their sums.
+  struct RowState {
+    Sums* sums;
+    std::uint8_t* out;
+    Sums running;
+    Rgba colour;
+    int done;
+  };
+
+  /// True where taking all of a word's pixels one by one is faster than looking for those touched.
+  static bool is_crowded(std::uint64_t bits) {
+    constexpr int kCrowd = 20;
+    return std::popcount(bits) >= kCrowd;
+  }
+
+  /// Writes pixels up to `to` in the colour of the last. What lies right of them in the row is written later,
+  /// so whole vectors may spill over.
+  void fill(RowState& state, int to) const {
+    if (state.done >= to) return;
+    const Word4 four = Word4{} + std::bit_cast<std::uint32_t>(state.colour);
+    int x = state.done;
+    for (; x < to && x + kWordLanes <= width_; x += kWordLanes)
+      store_vector(state.out + 4 * std::size_t(x), four);
+    for (; x < to; ++x) std::memcpy(state.out + 4 * std::size_t(x), &state.colour, sizeof state.colour);
+    state.done = to;
+  }
+
+  void resolve_touched(RowState& state, int first, std::uint64_t bits) const {
+    for (; bits != 0; bits &= bits - 1) {
+      const int x = first + std::countr_zero(bits);
+      if (x >= width_) {
+        state.sums[x] = Sums{};  // what a line in the last column left for the next
+        return;
+      }
+      fill(state, x);
+      state.running += state.sums[x];
+      state.sums[x] = Sums{};
+      state.colour = Model::decode(state.running);
+      std::memcpy(state.out + 4 * std::size_t(x), &state.colour, sizeof state.colour);
+      state.done = x + 1;
+    }
+  }
+
+  void resolve_all(RowState& state, int first) const {
+    Sums* sums = state.sums + first;
+    std::uint8_t* out = state.out + 4 * std::size_t(first);
+    Sums running = state.running;
+    Rgba colour;
+    for (int x = 0; x < kWordPixels; ++x) {
+      running += sums[x];
+      sums[x] = Sums{};
+      colour = Model::decode(running);
+      std::memcpy(out + 4 * std::size_t(x), &colour, sizeof colour);
+    }
+    state.running = running;
+    state.colour = colour;
+    state.done = first + kWordPixels;
+  }
+
+  /// A ratio of two integers in fixed point, to be multiplied by another integer and rounded. Lines are
+  /// short, so most denominators are found in a table of reciprocals.
+  class Ratio {
+   public:
+    Ratio(int numerator, int denominator)
+        : value_(denominator < kTabled ? std::int64_t{numerator} * kReciprocals[denominator]
+                                       : std::int64_t{numerator} * kOne / denominator) {}
+    int times(int factor) const { return static_cast<int>((value_ * factor + kOne / 2) >> kBits); }
+
+   private:
+    static constexpr int kBits = 28;
+    static constexpr std::int64_t kOne = std::int64_t{1} << kBits;
+    static constexpr int kTabled = 4 * kSub;
+    static constexpr auto kReciprocals = [] {
+      std::array<std::int32_t, kTabled> reciprocals{};
+      for (int i = 1; i < kTabled; ++i) reciprocals[i] = static_cast<std::int32_t>((kOne + i / 2) / i);
+      return reciprocals;
+    }();
+    std::int64_t value_;
+  };
+
+  /// A piece of a line inside one row. Whether it falls or rises to the right makes no difference to its
+  /// areas.
+  struct Slice {
+    const Change& change;
+    Ratio height_by_width;
+    int sign;  ///< of the change
+    int row, left, right, height;
+  };
+
+  /// Cuts off what leaves the rows. What lies left of them changes whole rows from the first pixel on; what
+  /// lies right of them changes nothing.
+  void clip(Slice& slice) {
+    if (slice.left < 0) {
+      const int height =
+          slice.right <= 0 ? slice.height : std::min(slice.height, slice.height_by_width.times(-slice.left));
+      sums_[slice.row * stride()] += Model::times(slice.change, slice.sign * 2 * kSub * height);
+      touch(slice.row, 0);
+      slice.height -= height;
+      slice.left = 0;
+      slice.right = std::max(slice.right, 0);
+    }
+    if (slice.right > right_) {
+      const int beyond = slice.right - std::max(slice.left, right_);
+      const int height =
+          slice.left >= right_ ? slice.height : std::min(slice.height, slice.height_by_width.times(beyond));
+      slice.height -= height;
+      slice.right = right_;
+      slice.left = std::min(slice.left, right_);
+    }
+  }
+
+  /// Adds a slice column by column; what a column leaves to the next is carried along.
+  void add_slice(const Slice& slice) {
+    const int first = slice.left >> kSubBits, last = slice.right >> kSubBits;
+    Sums* sums = sums_.data() + slice.row * stride();
+    Sums carried{};
+    int x = slice.left - first * kSub, done = 0;
+    for (int column = first; column < last; ++column) {
+      const int total = std::min(slice.height, slice.height_by_width.times((column + 1) * kSub - slice.left));
+      const int height = slice.sign * (total - done), area = (x + kSub) * height;
+      sums[column] += carried + Model::times(slice.change, 2 * kSub * height - area);
+      carried = Model::times(slice.change, area);
+      touch(slice.row, column);
+      x = 0;
+      done = total;
+    }
+    const int height = slice.sign * (slice.height - done), area = (x + slice.right - last * kSub) * height;
+    sums[last] += carried + Model::times(slice.change, 2 * kSub * height - area);
+    touch(slice.row, last);
+    if (area == 0) return;
+    sums[last + 1] += Model::times(slice.change, area);
+    touch(slice.row, last + 1);
+  }
+
+  void touch(int row, int column) {
+    touched_[std::size_t(row) * words_ + column / kWordPixels] |= std::uint64_t{1} << column % kWordPixels;
+  }
+
+  int width_ = 0, right_ = 0, words_ = 0;
+  int top_ = 0, bottom_ = 0;
+  std::vector<Sums> sums_;
+  std::vector<std::uint64_t> touched_;
+};
+
+}  // namespace depixel

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <tuple>
+#include <vector>
+
+#include "libdepixel/core/frame_view.hpp"
+#include "libdepixel/raster/band_sums.hpp"
+#include "libdepixel/stages/planar_map.hpp"
+
+namespace depixel {
+
+/// Which part of the source is drawn: output pixel (X, Y) covers source x from origin_x + X / scale_x on.
+struct View {
+  double scale_x = 1, scale_y = 1;    ///< output pixels to a source pixel
+  double origin_x = 0, origin_y = 0;  ///< source pixels at the output's top left
+
+  /// The whole frame stretched to fill an output exactly.
+  static View fit(const Lattice& source, int out_width, int out_height) {
+    return {static_cast<double>(out_width) / source.width(),
+            static_cast<double>(out_height) / source.height(), 0, 0};
+  }
+};
+
+/// Draws planar maps with exact box-filter anti-aliasing. Sums are integers, so the result is bit-identical
+/// whatever the order of work, the number of threads and the compiler. Keeps its buffers from call to call.
+class CpuRaster {
+ public:
+  /// Draws a view of the map over the whole target; outside of the map lies transparency.
+  /// \param view          coordinates of the frame's edges in the output stay below 2^22 pixels.
+  /// \param linear_light  blend colours in linear light instead of in sRGB values.
+  /// Cost: linear in segments and target pixels; pixels that no curve crosses cost a store.
+  void draw(const PlanarMap& map, const View& view, bool linear_light, int threads,
+            const PictureView& target);
+
+ private:
+  struct Job;
+  struct BandRange {
+    int from, to;  ///< bands that a segment touches, both included; none when from > to
+  };
+
+  void sort_into_bands(const Job& job, int bands);
+  template <typename Model>
+  void draw_bands(const Job& job, int bands, int threads);
+  template <typename Model>
+  void draw_band(const Job& job, int band, BandSums<Model>& sums) const;
+
+  std::vector<BandRange> ranges_;  ///< by segment
+  std::vector<int> order_;         ///< segments, band after band
+  std::vector<int> first_;         ///< of each band in order_, and the end
+  std::vector<int> next_;
+  std::tuple<std::vector<BandSums<OpaqueColour>>, std::vector<BandSums<OpaqueLight>>,
+             std::vector<BandSums<Translucent<false>>>, std::vector<BandSums<Translucent<true>>>>
+      sums_;  ///< of each model, one a thread
+};
+
+}  // namespace depixel

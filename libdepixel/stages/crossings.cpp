@@ -1,0 +1,195 @@
+#include "libdepixel/stages/crossings.hpp"
+
+#include <array>
+#include <bit>
+#include <cstring>
+
+#include "libdepixel/core/simd.hpp"
+
+namespace depixel {
+namespace {
+
+/// Number of links in a mask of neighbours; a table, as not all processors count bits.
+int valence(std::uint8_t neighbours) {
+  static constexpr auto kCounts = [] {
+    std::array<std::uint8_t, 256> counts{};
+    for (unsigned mask = 0; mask < 256; ++mask) counts[mask] = static_cast<std::uint8_t>(std::popcount(mask));
+    return counts;
+  }();
+  return kCounts[neighbours];
+}
+
+constexpr std::uint8_t reversed(int neighbour) {
+  return static_cast<std::uint8_t>(1 << ((neighbour + 4) & 7));
+}
+
+/// Lengths, in links, of the paths that run through nodes of valence 2.
+class CurveLengths {
+ public:
+  CurveLengths(const Lattice& lattice, const std::vector<std::uint8_t>& neighbours, std::vector<int>& length)
+      : neighbours_(neighbours), offsets_(neighbour_offsets(lattice)), length_(length) {}
+
+  /// Length of the curve through the link between two pixels, given their valences; 1 when neither is 2.
+  int through(int p, int valence_p, int q, int valence_q) {
+    return valence_p == 2 ? at(p) : valence_q == 2 ? at(q) : 1;
+  }
+
+ private:
+  /// Length of the curve through a node of valence 2; walked once, then remembered at all its nodes.
+  int at(int node) {
+    if (length_[node] != 0) return length_[node];
+    const std::uint8_t links = neighbours_[node];
+    const int forward = std::countr_zero(links);
+    const int backward = std::countr_zero(static_cast<unsigned>(links & (links - 1)));
+    int total = walk(node, forward, 0);
+    const bool closed = total > 0 && closed_;
+    if (!closed) total += walk(node, backward, 0);
+    walk(node, forward, total);
+    if (!closed) walk(node, backward, total);
+    length_[node] = total;
+    return total;
+  }
+
+  /// Follows the curve from a node to its end or back to the node, and counts links; writes `mark` on the way
+  /// if it is not 0.
+  int walk(int start, int neighbour, int mark) {
+    int links = 0, node = start;
+    for (;;) {
+      node += offsets_[neighbour];
+      ++links;
+      closed_ = node == start;
+      if (closed_) return links;
+      const std::uint8_t around = neighbours_[node];
+      if (valence(around) != 2) return links;
+      if (mark != 0) length_[node] = mark;
+      neighbour = std::countr_zero(static_cast<unsigned>(around & ~reversed(neighbour)));
+    }
+  }
+
+  const std::vector<std::uint8_t>& neighbours_;
+  std::array<int, 8> offsets_;
+  std::vector<int>& length_;
+  bool closed_ = false;
+};
+
+static_assert(std::endian::native == std::endian::little, "rows of links are read as little-endian words");
+
+/// A set of pixels of an 8x8 window: bit 8 * row + column.
+using Window = std::uint64_t;
+
+/// The links of the 8x8 window centred on a block that stay inside it, by the pixel they leave to the east,
+/// south, south-east, and (from the north-east pixel) south-west.
+struct WindowLinks {
+  Window east, south, south_east, south_west;
+};
+
+/// Entries of the cache of windows; a power of two.
+constexpr std::size_t kCachedWindows = 512;
+
+constexpr Window kColumn = 0x0101010101010101;
+constexpr Window kAllButLastColumn = ~(kColumn << 7);
+constexpr Window kAllButLastRow = ~Window{0} >> 8;
+
+/// The BlockLink masks of the 8x8 window centred on a block, eight bytes a row.
+std::array<Window, 8> window_rows(const SimilarityGraph& graph, int block) {
+  const int stride = graph.lattice.stride();
+  std::array<Window, 8> rows;
+  const std::uint8_t* first = graph.links.data() + block - 3 * stride - 3;
+  for (Window& row : rows) {
+    std::memcpy(&row, first, sizeof row);
+    first += stride;
+  }
+  return rows;
+}
+
+WindowLinks window_links(const std::array<Window, 8>& rows) {
+  std::array<Window, 4> links{};  // by bit of BlockLink
+  for (int row = 0; row < 8; row += 2) {
+    const auto two_rows = load_vector<Byte16>(&rows[row]);
+    for (int bit = 0; bit < 4; ++bit) links[bit] |= Window{gather_bits(two_rows, bit)} << 8 * row;
+  }
+  return {links[0] & kAllButLastColumn, links[1] & kAllButLastRow,
+          links[2] & kAllButLastColumn & kAllButLastRow, links[3] & kAllButLastColumn & kAllButLastRow};
+}
+
+/// Two sets of pixels that are flooded together.
+using WindowPair = std::uint64_t __attribute__((vector_size(16)));
+
+/// Pixels connected to each of two seeds inside the window.
+WindowPair flood(const WindowLinks& links, WindowPair seeds) {
+  for (WindowPair filled = seeds;; seeds = filled) {
+    filled |= (filled & links.east) << 1 | (filled >> 1 & links.east);
+    filled |= (filled & links.south) << 8 | (filled >> 8 & links.south);
+    filled |= (filled & links.south_east) << 9 | (filled >> 9 & links.south_east);
+    filled |= (filled >> 1 & links.south_west) << 8 | (filled >> 8 & links.south_west) << 1;
+    const WindowPair grown = filled ^ seeds;
+    if ((grown[0] | grown[1]) == 0) return filled;
+  }
+}
+
+/// Sizes of the two components that cross at a block, in the window round it; from the cache if the same
+/// window was seen before.
+const WindowCacheEntry& component_sizes(const SimilarityGraph& graph, int block,
+                                        std::vector<WindowCacheEntry>& cache) {
+  constexpr Window kNorthWest = Window{1} << (8 * 3 + 3), kNorthEast = kNorthWest << 1;
+  const std::array<Window, 8> rows = window_rows(graph, block);
+  Window hash = 0;
+  for (const Window row : rows) hash = (hash ^ row) * 0x9e3779b97f4a7c15;
+  WindowCacheEntry& entry = cache[hash >> 32 & (cache.size() - 1)];
+  if (entry.main_size == 0 || entry.rows != rows) {
+    const WindowPair components = flood(window_links(rows), WindowPair{kNorthWest, kNorthEast});
+    entry = {rows, std::popcount(components[0]), std::popcount(components[1])};
+  }
+  return entry;
+}
+
+/// Calls visit(block) for every crossing, in raster order; looks at eight blocks at a glance.
+template <typename Visit>
+void for_each_crossing(const SimilarityGraph& graph, Visit visit) {
+  const int size = graph.lattice.size();
+  for (int i = 0; i + 8 <= size; i += 8) {
+    Window bytes;
+    std::memcpy(&bytes, graph.links.data() + i, sizeof bytes);
+    if ((bytes >> 2 & bytes >> 3 & kColumn) == 0) continue;
+    for (int block = i; block < i + 8; ++block) {
+      if ((graph.links[block] & kBothDiagonals) == kBothDiagonals && graph.is_crossing(block)) visit(block);
+    }
+  }
+}
+
+}  // namespace
+
+int resolve_crossings(SimilarityGraph& graph, const CrossingVotes& votes, CrossingScratch& scratch) {
+  const Lattice& lattice = graph.lattice;
+  const int stride = lattice.stride();
+  scratch.crossings.clear();
+  for_each_crossing(graph, [&](int block) { scratch.crossings.push_back(block); });
+  if (scratch.crossings.empty()) return 0;
+
+  scratch.curve_length.assign(lattice.size(), 0);
+  scratch.cut.resize(scratch.crossings.size());
+  scratch.windows.resize(kCachedWindows);
+  find_neighbours(graph, scratch.neighbours);
+  const auto valence_of = [&](int pixel) { return valence(scratch.neighbours[pixel]); };
+  CurveLengths curves(lattice, scratch.neighbours, scratch.curve_length);
+  for (std::size_t c = 0; c < scratch.crossings.size(); ++c) {
+    const int nw = scratch.crossings[c], ne = nw + 1, sw = nw + stride, se = sw + 1;
+    const WindowCacheEntry& sizes = component_sizes(graph, nw, scratch.windows);
+    const int nw_valence = valence_of(nw), se_valence = valence_of(se);
+    const int ne_valence = valence_of(ne), sw_valence = valence_of(sw);
+    const int main_length = curves.through(nw, nw_valence, se, se_valence);
+    const int anti_length = curves.through(ne, ne_valence, sw, sw_valence);
+    const int main_island = nw_valence == 1 || se_valence == 1 ? 1 : 0;
+    const int anti_island = ne_valence == 1 || sw_valence == 1 ? 1 : 0;
+    const double for_main = votes.curve * (main_length - anti_length) +
+                            votes.sparse * (sizes.anti_size - sizes.main_size) +
+                            votes.island * (main_island - anti_island);
+    scratch.cut[c] = for_main > 0 ? kAntiDiagonal : for_main < 0 ? kMainDiagonal : kBothDiagonals;
+  }
+  for (std::size_t c = 0; c < scratch.crossings.size(); ++c) {
+    graph.links[scratch.crossings[c]] &= static_cast<std::uint8_t>(~scratch.cut[c]);
+  }
+  return static_cast<int>(scratch.crossings.size());
+}
+
+}  // namespace depixel

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "libdepixel/core/memory.hpp"
+#include "libdepixel/stages/similarity_graph.hpp"
+
+namespace depixel {
+
+/// Weights of the three heuristics that vote at a crossing.
+struct CrossingVotes {
+  double curve = 1.0;  ///< times the difference of the two curve lengths, for the longer
+  double sparse =
+      1.0;  ///< times the difference of the two component sizes in the 8x8 window, for the smaller
+  double island = 5.0;  ///< for a diagonal with an end of valence 1
+};
+
+/// Component sizes in an 8x8 window, by the window's links: windows of dithers and tiles recur.
+struct WindowCacheEntry {
+  std::array<std::uint64_t, 8> rows{};  ///< BlockLink masks, eight bytes a row
+  int main_size = 0, anti_size = 0;     ///< 0 where the entry is empty
+};
+
+/// Buffers that crossings are resolved with; kept from frame to frame.
+struct CrossingScratch {
+  std::vector<WindowCacheEntry> windows;  ///< direct-mapped
+  std::vector<int> crossings;             ///< blocks whose diagonals cross
+  std::vector<std::uint8_t> cut;          ///< BlockLink mask to remove, one for each crossing
+  std::vector<std::uint8_t> neighbours;   ///< by find_neighbours()
+  std::vector<int> curve_length;  ///< padded; of the curve through a valence-2 node, 0 where not known yet
+
+  std::size_t memory_bytes() const { return held_bytes(windows, crossings, cut, neighbours, curve_length); }
+};
+
+/// Resolves every crossing pair of diagonals (stage 2 of 6).
+/// \param graph  the frozen similarity graph; read while votes are cast, then cut.
+/// \post  No two links cross. Independent of the order in which blocks are visited.
+/// \return the number of crossings.
+/// Cost: linear in pixels; every curve is walked once and its length kept, every window is flood-filled with
+/// bit operations on 64 pixels at a time. Source: Kopf and Lischinski 2011, section 3.2; Schapfel,
+/// section 4.2.
+int resolve_crossings(SimilarityGraph& graph, const CrossingVotes& votes, CrossingScratch& scratch);
+
+}  // namespace depixel

@@ -1,0 +1,268 @@
+#include "libdepixel/stages/node_placement.hpp"
+
+#include <algorithm>
+
+#include "libdepixel/core/simd.hpp"
+
+namespace depixel {
+namespace {
+
+/// Arms of a corner that is put back on the lattice: the step at the corner and two more.
+constexpr int kCornerArm = 3;
+/// Arms of a corner that the thesis's averaging leaves alone: the step at the corner and one more (figure
+/// 57).
+constexpr int kAveragedCornerArm = 2;
+/// Longer stretches between steps are level but for half this length, in steps, at their ends.
+constexpr float kLongestSlope = 8.0f;
+/// A bulge's height above the middle of the steps at its ends, in pixels, and its bounds: a top lies about on
+/// the lattice.
+constexpr float kLowestBulge = 0.5f, kHighestBulge = 0.8f;
+/// Bits of a step's thin sides.
+constexpr int kLeftSide = 1, kRightSide = 2;
+/// By how much each side of a one-pixel-wide line moves out so that the line is one pixel wide, by the length
+/// of the line's runs n: (sqrt(1 + 1/n^2) - 1) / 2; for n = 1 along both axes, half of it each.
+constexpr std::array<float, 7> kWidening{0.0f, 0.10355f, 0.05902f, 0.02705f, 0.01539f, 0.0099f, 0.00690f};
+
+struct Vector {
+  float x, y;
+};
+constexpr Vector unit(Direction d) {
+  return {static_cast<float>(kStep[d].x), static_cast<float>(kStep[d].y)};
+}
+
+/// Where the cell graph has the node that an edge leaves from, by corner code and heading.
+constexpr auto kRest = [] {
+  std::array<std::array<Vector, 4>, 128> rest{};
+  for (int bits = 0; bits < 128; ++bits) {
+    const CornerCode code(static_cast<std::uint8_t>(bits));
+    if (code.pairing() > CornerCode::kNorthWest) continue;
+    for (const Direction d : kDirections) {
+      const glm::ivec2 quarters = code.node_quarters(d);
+      rest[bits][d] = {0.25f * static_cast<float>(quarters.x), 0.25f * static_cast<float>(quarters.y)};
+    }
+  }
+  return rest;
+}();
+
+}  // namespace
+
+void find_thin_pixels(const SimilarityGraph& graph, std::vector<std::uint8_t>& thin) {
+  find_neighbours(graph, thin);
+  for (std::size_t i = 0; i + sizeof(Byte16) <= thin.size(); i += sizeof(Byte16)) {
+    const auto links = load_vector<Byte16>(thin.data() + i);
+    const Byte16 but_one = links & (links - 1), but_two = but_one & (but_one - 1);
+    const Byte16 triangles = links & ((links << 1) | (links >> 7));
+    store_vector(thin.data() + i, reinterpret_cast<Byte16>((but_two | triangles) == 0) & 1);
+  }
+}
+
+void NodePlacer::add(const Contour& contour, Smoothing smoothing, bool interpolated, ContourBatch& batch) {
+  batch_ = &batch;
+  member_ = batch.add(*contours_, contour, interpolated);
+  place_at_rest(contour);
+  if (smoothing == Smoothing::none) return;
+  find_runs(contour);
+  if (smoothing == Smoothing::average) {
+    restore_corners(kAveragedCornerArm, false);
+    return;
+  }
+  restore_corners(kCornerArm, true);
+  find_thin_sides(contour);
+  if (has_thin_sides_) hold_square_ends();
+  straighten_stairs();
+  if (has_thin_sides_) widen_thin_lines();
+}
+
+/// Junctions of four must stay in one point, and open contours where they end; all else may move.
+void NodePlacer::place_at_rest(const Contour& contour) {
+  const int* corners = contours_->corner.data() + contour.first;
+  const std::uint8_t* headings = contours_->heading.data() + contour.first;
+  const CornerCode* codes = cells_->corners.data();
+  float *x = batch_->x.data() + member_.first, *y = batch_->y.data() + member_.first;
+  for (int k = 0; k < contour.count; ++k) {
+    const CornerCode code = codes[corners[k]];
+    const Vector rest = kRest[code.bits()][headings[k]];
+    x[k] = rest.x;
+    y[k] = rest.y;
+    batch_->set_role(member_.first + k, code.is_junction_of_four() ? NodeRole::sharp : NodeRole::free);
+  }
+  std::copy_n(x, contour.count, batch_->rest_x.data() + member_.first);
+  std::copy_n(y, contour.count, batch_->rest_y.data() + member_.first);
+  if (!contour.closed) {
+    batch_->set_role(member_.first, NodeRole::sharp);
+    batch_->set_role(member_.last(), NodeRole::sharp);
+  }
+}
+
+/// Looks on both sides of every step for a pixel of a thin line.
+void NodePlacer::find_thin_sides(const Contour& contour) {
+  thin_sides_.resize(contour.count);
+  const std::uint8_t* thin = thin_->data();
+  std::uint8_t any = 0;
+  for (int k = 0; k < contour.count; ++k) {
+    const int corner = contours_->corner[contour.first + k], heading = contours_->heading[contour.first + k];
+    const std::uint8_t sides = thin[corner + left_[heading]] | thin[corner + left_[(heading + 1) & 3]] << 1;
+    thin_sides_[k] = sides;
+    any |= sides;
+  }
+  has_thin_sides_ = any != 0;
+}
+
+void NodePlacer::find_runs(const Contour& contour) {
+  runs_.clear();
+  const int nodes = contour.count, steps = contour.step_count();
+  const std::uint8_t* headings = contours_->heading.data() + contour.first;
+  const NodeRole* roles = batch_->role.data() + member_.first;
+  int start = 0;
+  if (contour.closed) {
+    while (headings[start] == headings[start == 0 ? nodes - 1 : start - 1]) ++start;  // it turns somewhere
+  }
+  const auto turn = [](int from, int to) {
+    constexpr std::array<int, 4> kTurns{0, 1, 0, -1};
+    return kTurns[(to - from) & 3];
+  };
+  int heading = headings[start], first = start, length = 0, turn_in = 0;
+  const auto finish = [&](int turn_out) {
+    runs_.push_back({first, length, static_cast<Direction>(heading), turn_in, turn_out});
+    turn_in = turn_out;
+  };
+  for (int k = 0, node = start; k < steps; ++k) {
+    if (length > 0 && (headings[node] != heading || roles[node] != NodeRole::free)) {
+      finish(turn(heading, headings[node]));
+      heading = headings[node];
+      first = node;
+      length = 0;
+    }
+    ++length;
+    if (++node == nodes) node = 0;
+  }
+  finish(contour.closed ? turn(heading, runs_.empty() ? heading : runs_.front().heading) : 0);
+  if (contour.closed) runs_.front().turn_in = runs_.back().turn_out;
+}
+
+const NodePlacer::Run* NodePlacer::neighbour(int run, int offset) const {
+  const int count = static_cast<int>(runs_.size());
+  int k = run + offset;
+  if (member_.closed) {
+    k = ContourBatch::wrapped(k, count);
+  } else if (k < 0 || k >= count) {
+    return nullptr;
+  }
+  return &runs_[k];
+}
+
+void NodePlacer::restore_corners(int minimum_arm, bool sharp) {
+  for (int k = 0; k < static_cast<int>(runs_.size()); ++k) {
+    const Run& run = runs_[k];
+    const Run* next = neighbour(k, 1);
+    if (run.turn_out == 0 || run.length < minimum_arm || next->length < minimum_arm) continue;
+    const int i = entry(next->start);
+    if (batch_->role[i] != NodeRole::free) continue;
+    batch_->set_role(i, sharp ? NodeRole::sharp : NodeRole::held);
+    if (sharp) batch_->x[i] = batch_->y[i] = batch_->rest_x[i] = batch_->rest_y[i] = 0.0f;
+  }
+}
+
+void NodePlacer::hold_square_ends() {
+  // The approximating spline stays inside its control points; one that goes through the nodes needs them
+  // there.
+  const float part = member_.interpolated ? 2.0f / 3.0f : 0.0f;
+  for (const Run& run : runs_) {
+    if (run.length != 1 || run.turn_in == 0 || run.turn_in != run.turn_out) continue;
+    const int inner_side = run.turn_in > 0 ? kRightSide : kLeftSide;
+    if (!(thin_sides_[run.start] & inner_side)) continue;
+    for (const int i : {entry(run.start), entry(run.start + 1)}) {
+      const bool is_cut = batch_->rest_x[i] != 0.0f;
+      if (batch_->role[i] != NodeRole::free || !is_cut) continue;
+      batch_->set_role(i, NodeRole::held);
+      batch_->x[i] = batch_->rest_x[i] *= part;
+      batch_->y[i] = batch_->rest_y[i] *= part;
+    }
+  }
+}
+
+void NodePlacer::straighten_stairs() {
+  for (int k = 0; k < static_cast<int>(runs_.size()); ++k) {
+    if (runs_[k].length >= 2) straighten_stair(k);
+  }
+}
+
+/// Where a run of two or more steps is joined to the next of its kind by a single step, the line wanted goes
+/// through the middle of that step, half a pixel off the run: to the left (positive) or right of it.
+void NodePlacer::straighten_stair(int index) {
+  const Run& run = runs_[index];
+  const auto level_beyond = [&](int direction) -> const Run* {
+    const Run* step = neighbour(index, direction);
+    const Run* beyond = neighbour(index, 2 * direction);
+    const bool joined = step != nullptr && step->length == 1 && step->heading != run.heading &&
+                        beyond != nullptr && beyond->heading == run.heading;
+    return joined ? beyond : nullptr;
+  };
+  const Run *before = level_beyond(-1), *after = level_beyond(1);
+  if (before == nullptr && after == nullptr) return;
+
+  const auto length = static_cast<float>(run.length);
+  const float offset_in = run.turn_in > 0 ? -0.5f : 0.5f, offset_out = run.turn_out > 0 ? -0.5f : 0.5f;
+  const auto offset_at = [&](float s) {
+    if (before != nullptr && after != nullptr && offset_in == offset_out) {
+      const auto a = static_cast<float>(std::min(before->length, after->length));
+      const float bulge =
+          std::clamp(length * length / (4 * (length * a + a * a)), kLowestBulge, kHighestBulge);
+      const float reach = std::min(length, kLongestSlope);
+      const float m = std::min(std::min(s, length - s), reach / 2);
+      return offset_in + (offset_in < 0 ? bulge : -bulge) * (4 * m * (reach - m) / (reach * reach));
+    }
+    const auto fading = [&](const Run* level, float offset, float distance) {
+      if (level == nullptr) return 0.0f;
+      const float half = std::min(std::min(length, kLongestSlope), static_cast<float>(level->length)) / 2;
+      return distance < half ? offset * (1 - distance / half) : 0.0f;
+    };
+    return fading(before, offset_in, s) + fading(after, offset_out, length - s);
+  };
+
+  const Vector along = unit(run.heading), left = unit(turned(run.heading, 3));
+  const int from = before != nullptr ? 0 : 1, to = after != nullptr ? run.length : run.length - 1;
+  for (int j = from; j <= to; ++j) {
+    const int i = entry(run.start + j);
+    if (batch_->role[i] != NodeRole::free) continue;
+    float &x = batch_->x[i], &y = batch_->y[i];
+    const float s = static_cast<float>(j) + (batch_->rest_x[i] * along.x + batch_->rest_y[i] * along.y);
+    const float move = offset_at(std::clamp(s, 0.0f, length)) - (x * left.x + y * left.y);
+    x += left.x * move;
+    y += left.y * move;
+  }
+}
+
+bool NodePlacer::is_thin(const Run& run, int side) const {
+  for (int j = 0; j < run.length; ++j) {
+    const int node = run.start + j;
+    if (thin_sides_[node >= member_.count ? node - member_.count : node] != side) return false;
+  }
+  return true;
+}
+
+void NodePlacer::widen_thin_lines() {
+  for (int k = 0; k < static_cast<int>(runs_.size()); ++k) {
+    const Run& run = runs_[k];
+    if (run.length >= static_cast<int>(kWidening.size())) continue;
+    for (const int side : {kLeftSide, kRightSide}) {
+      if (!is_thin(run, side)) continue;
+      // A single step belongs to the longer runs that it joins, if there are such.
+      const auto is_longer = [](const Run* other) { return other != nullptr && other->length > 1; };
+      const int from = run.length == 1 && is_longer(neighbour(k, -1)) ? 1 : 0;
+      const int to = run.length == 1 && is_longer(neighbour(k, 1)) ? 0 : run.length;
+      const Vector away = unit(turned(run.heading, side == kLeftSide ? 1 : 3));
+      const float by = kWidening[run.length];
+      for (int j = from; j <= to; ++j) {
+        const int i = entry(run.start + j);
+        if (batch_->role[i] != NodeRole::free) continue;
+        batch_->x[i] += away.x * by;
+        batch_->y[i] += away.y * by;
+        batch_->rest_x[i] += away.x * by;
+        batch_->rest_y[i] += away.y * by;
+      }
+    }
+  }
+}
+
+}  // namespace depixel

@@ -1,0 +1,185 @@
+#include "libdepixel/stages/similarity_graph.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cstring>
+
+#include "libdepixel/core/simd.hpp"
+#include "libdepixel/stages/components.hpp"
+
+namespace depixel {
+namespace {
+
+/// Lanes of four pixels whose alpha is not 0, as masks.
+Word4 visible_lanes(Word4 pixels) {
+  constexpr auto kAlpha = std::bit_cast<std::uint32_t>(Rgba{0, 0, 0, 255});
+  return (pixels & kAlpha) != 0;
+}
+
+void load_pixels(const FrameView& frame, SimilarityGraph& graph) {
+  const Lattice& lattice = graph.lattice;
+  for (int y = 0; y < lattice.height(); ++y) {
+    const std::uint8_t* from = frame.pixels + y * frame.pitch;
+    Rgba* to = graph.pixels.data() + lattice.pixel(0, y);
+    int x = 0;
+    for (; x + kWordLanes <= lattice.width(); x += kWordLanes) {
+      const auto four = load_vector<Word4>(from + 4 * x);
+      store_vector(to + x, four & visible_lanes(four));
+    }
+    for (; x < lattice.width(); ++x) {
+      std::memcpy(to + x, from + 4 * x, sizeof(Rgba));
+      to[x] = normalized(to[x]);
+    }
+  }
+}
+
+/// Equal colours of four blocks from `row` on, as BlockLink masks; frozen if asked for: a block of four equal
+/// pixels keeps its sides alone. (Equality is transitive, so three equal pixels in a block would be four.)
+template <bool kFreeze>
+Word4 exact_links(const Rgba* row, int stride) {
+  const auto nw = load_vector<Word4>(row), ne = load_vector<Word4>(row + 1);
+  const auto sw = load_vector<Word4>(row + stride), se = load_vector<Word4>(row + stride + 1);
+  const auto equal = [](Word4 a, Word4 b) -> Word4 { return a == b; };
+  const Word4 links = (equal(nw, ne) & kNorthSide) | (equal(nw, sw) & kWestSide) |
+                      (equal(nw, se) & kMainDiagonal) | (equal(ne, sw) & kAntiDiagonal);
+  if constexpr (!kFreeze) return links;
+  constexpr std::uint32_t kAll = kNorthSide | kWestSide | kBothDiagonals;
+  return links & ~(equal(links, Word4{} + kAll) & kBothDiagonals);
+}
+
+/// A row of blocks, four at a time; may write up to three entries beyond the row, into the padding.
+template <bool kFreeze>
+void link_exact_row(const Rgba* row, int stride, int count, std::uint8_t* links) {
+  for (int x = 0; x < count; x += kWordLanes) {
+    const Word4 four = exact_links<kFreeze>(row + x, stride);
+    for (int lane = 0; lane < kWordLanes; ++lane) links[x + lane] = static_cast<std::uint8_t>(four[lane]);
+  }
+}
+
+void link_similar_row(const Rgba* row, int stride, int count, std::uint8_t* links) {
+  for (int x = 0; x < count; ++x) {
+    const Rgba nw = row[x], ne = row[x + 1], sw = row[x + stride], se = row[x + stride + 1];
+    links[x] =
+        static_cast<std::uint8_t>(kNorthSide * similar_yuv(nw, ne) | kWestSide * similar_yuv(nw, sw) |
+                                  kMainDiagonal * similar_yuv(nw, se) | kAntiDiagonal * similar_yuv(ne, sw));
+  }
+}
+
+/// Links all rows and cuts the links that would leave the frame.
+template <typename LinkRow>
+void link_all(SimilarityGraph& graph, LinkRow link_row) {
+  const Lattice& lattice = graph.lattice;
+  const int width = lattice.width(), height = lattice.height();
+  for (int y = 0; y < height; ++y) {
+    const int first = lattice.pixel(0, y);
+    std::uint8_t* links = graph.links.data() + first;
+    link_row(graph.pixels.data() + first, lattice.stride(), width, links);
+    links[width - 1] &= kWestSide;
+    std::fill_n(links + width, kWordLanes - 1, std::uint8_t{0});
+    if (y + 1 == height) {
+      for (int x = 0; x < width; ++x) links[x] &= kNorthSide;
+    }
+  }
+}
+
+void freeze_merged(SimilarityGraph& graph) {
+  const Lattice& lattice = graph.lattice;
+  for (int y = 0; y < lattice.height(); ++y) {
+    for (int i = lattice.pixel(0, y), end = i + lattice.width(); i < end; ++i) {
+      if (graph.side_count(i) >= 3) graph.links[i] &= static_cast<std::uint8_t>(~kBothDiagonals);
+    }
+  }
+}
+
+/// Joins two components of valence <= 2 throughout across a diagonal when their colours are near.
+void connect_line_components(SimilarityGraph& graph) {
+  const Lattice& lattice = graph.lattice;
+  Components components;
+  label_components(graph, components);
+  std::vector<std::uint8_t> is_line(components.count, 1);
+  for (int y = 0; y < lattice.height(); ++y) {
+    for (int x = 0; x < lattice.width(); ++x) {
+      const int p = lattice.pixel(x, y);
+      if (std::popcount(graph.neighbours(p)) > 2) is_line[components.label[p]] = 0;
+    }
+  }
+  const auto joins = [&](int p, int q) {
+    const int a = components.label[p], b = components.label[q];
+    return a != b && is_line[a] && is_line[b] && near_yuv(graph.pixels[p], graph.pixels[q]);
+  };
+  for (int y = 0; y + 1 < lattice.height(); ++y) {
+    for (int x = 0; x + 1 < lattice.width(); ++x) {
+      const int block = lattice.pixel(x, y), below = block + lattice.stride();
+      if (joins(block, below + 1)) graph.links[block] |= kMainDiagonal;
+      if (joins(block + 1, below)) graph.links[block] |= kAntiDiagonal;
+    }
+  }
+}
+
+}  // namespace
+
+std::uint8_t SimilarityGraph::neighbours(int pixel) const {
+  const int stride = lattice.stride();
+  const auto bit = [&](int block, int link) { return (links[block] & link) != 0 ? 1 : 0; };
+  return static_cast<std::uint8_t>(
+      bit(pixel - stride, kWestSide) | bit(pixel - stride, kAntiDiagonal) << 1 | bit(pixel, kNorthSide) << 2 |
+      bit(pixel, kMainDiagonal) << 3 | bit(pixel, kWestSide) << 4 | bit(pixel - 1, kAntiDiagonal) << 5 |
+      bit(pixel - 1, kNorthSide) << 6 | bit(pixel - stride - 1, kMainDiagonal) << 7);
+}
+
+void find_neighbours(const SimilarityGraph& graph, std::vector<std::uint8_t>& masks) {
+  const Lattice& lattice = graph.lattice;
+  masks.resize(lattice.size() + sizeof(Byte16));
+  for (int y = 0; y < lattice.height(); ++y) {
+    const int first = lattice.pixel(0, y);
+    const std::uint8_t* here = graph.links.data() + first;
+    const std::uint8_t* above = here - lattice.stride();
+    for (int x = 0; x < lattice.width(); x += sizeof(Byte16)) {  // may write into the padding
+      const auto h = load_vector<Byte16>(here + x), a = load_vector<Byte16>(above + x);
+      const auto w = load_vector<Byte16>(here + x - 1), aw = load_vector<Byte16>(above + x - 1);
+      const Byte16 mask = ((a >> 1) & 1) | ((a >> 2) & 2) | ((h << 2) & 4) | ((h << 1) & 8) |
+                          ((h << 3) & 16) | ((w << 2) & 32) | ((w << 6) & 64) | ((aw << 5) & 128);
+      store_vector(masks.data() + first + x, mask);
+    }
+  }
+}
+
+std::array<int, 8> neighbour_offsets(const Lattice& lattice) {
+  const int s = lattice.stride();
+  return {-s, -s + 1, 1, s + 1, s, s - 1, -1, -s - 1};
+}
+
+namespace {
+
+void load_frame(const FrameView& frame, SimilarityGraph& graph) {
+  assert(frame.width > 0 && frame.height > 0);
+  const Lattice lattice(frame.width, frame.height);
+  if (!(graph.lattice == lattice)) {
+    graph.lattice = lattice;
+    graph.pixels.assign(lattice.size(), Rgba{});
+    graph.links.assign(lattice.size(), 0);
+  }
+  load_pixels(frame, graph);
+}
+
+}  // namespace
+
+void build_raw_similarity_graph(const FrameView& frame, Similarity similarity, SimilarityGraph& graph) {
+  load_frame(frame, graph);
+  link_all(graph, similarity == Similarity::exact ? link_exact_row<false> : link_similar_row);
+}
+
+void build_similarity_graph(const FrameView& frame, Similarity similarity, bool connect_lines,
+                            SimilarityGraph& graph) {
+  if (similarity == Similarity::exact && !connect_lines) {
+    load_frame(frame, graph);
+    link_all(graph, link_exact_row<true>);
+    return;
+  }
+  build_raw_similarity_graph(frame, similarity, graph);
+  if (connect_lines) connect_line_components(graph);
+  freeze_merged(graph);
+}
+
+}  // namespace depixel

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "libdepixel/core/frame_view.hpp"
+#include "libdepixel/core/lattice.hpp"
+#include "libdepixel/core/memory.hpp"
+#include "libdepixel/core/options.hpp"
+
+namespace depixel {
+
+/// Which links of a block belong to it: its north and west sides and its two diagonals. The south side is the
+/// north side of the block below, the east side the west side of the block to the right.
+using BlockLink = std::uint8_t;
+inline constexpr BlockLink kNorthSide = 1;     ///< NW - NE
+inline constexpr BlockLink kWestSide = 2;      ///< NW - SW
+inline constexpr BlockLink kMainDiagonal = 4;  ///< NW - SE
+inline constexpr BlockLink kAntiDiagonal = 8;  ///< NE - SW
+inline constexpr BlockLink kBothDiagonals = kMainDiagonal | kAntiDiagonal;
+
+/// The frame's pixels on a padded lattice, and for each block a mask of BlockLink.
+struct SimilarityGraph {
+  Lattice lattice;
+  std::vector<Rgba> pixels;         ///< padded; alpha 0 normalised, padding transparent
+  std::vector<std::uint8_t> links;  ///< padded; BlockLink mask of each block, padding unlinked
+
+  /// Links between a block's sides: how many of its four sides are links.
+  int side_count(int block) const {
+    const auto bit = [&](int b, int link) { return (links[b] & link) != 0; };
+    return bit(block, kNorthSide) + bit(block, kWestSide) + bit(block + lattice.stride(), kNorthSide) +
+           bit(block + 1, kWestSide);
+  }
+  /// True where two diagonals cross and the block is not one piece by its sides.
+  bool is_crossing(int block) const {
+    return (links[block] & kBothDiagonals) == kBothDiagonals && side_count(block) < 3;
+  }
+  /// The eight neighbours that a pixel is linked to; bits clockwise from north: N NE E SE S SW W NW.
+  std::uint8_t neighbours(int pixel) const;
+
+  std::size_t memory_bytes() const { return held_bytes(pixels, links); }
+};
+
+/// SimilarityGraph::neighbours() of all pixels at once. Entries of the padding mean nothing.
+/// \param masks  padded, and a little longer; overwritten.
+void find_neighbours(const SimilarityGraph& graph, std::vector<std::uint8_t>& masks);
+
+/// Index offsets to the eight neighbours, clockwise from north, as in SimilarityGraph::neighbours().
+std::array<int, 8> neighbour_offsets(const Lattice& lattice);
+
+/// Builds the similarity graph of a frame and freezes it (stage 1 of 6): links all similar neighbours, joins
+/// lines if asked to, and drops both diagonals of every block that is one piece through its sides already.
+/// \param frame    at least 1x1 pixels.
+/// \param graph    overwritten; its buffers are reused.
+/// Cost: linear in pixels; no allocation when the size stays (but for connect-lines).
+/// Source: Schapfel, section 4.1; Kopf and Lischinski 2011, section 3.2.
+void build_similarity_graph(const FrameView& frame, Similarity similarity, bool connect_lines,
+                            SimilarityGraph& graph);
+
+/// The links before freezing, as view 0 of the thesis shows them.
+void build_raw_similarity_graph(const FrameView& frame, Similarity similarity, SimilarityGraph& graph);
+
+}  // namespace depixel

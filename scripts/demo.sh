@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# Builds depixel and draws the shipped frames and sprites, as PNG and as SVG, into out/demo.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+scripts/install_deps.sh
+cmake --preset release
+cmake --build --preset release --parallel "$(nproc)" --target depixel
+
+depixel=build/release/bin/depixel
+for kind in frames sprites; do
+  "$depixel" "tests/data/$kind" -o "out/demo/$kind/png" --scale 6 --verify
+  "$depixel" "tests/data/$kind" -o "out/demo/$kind/svg" --format svg
+done
+"$depixel" tests/data/sprites/minetest_game_bucket_lava.png -o out/demo/cells.png --stage simplified --scale 32
+
+echo
+echo "The pictures are in $PWD/out/demo:"
+find out/demo -type f | sort | sed 's/^/  /'

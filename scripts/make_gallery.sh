@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Makes the pictures of the README again, in docs/images: shipped sprites and a frame at 6x by nearest neighbour, by xbr
+# (2x, then 3x) and by depixel. Needs ffmpeg and imagemagick beside a release build.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+depixel=build/release/bin/depixel
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# One picture three ways, side by side. Transparent pixels are put on a colour first: xbr knows no alpha.
+row() { # PICTURE [CROP]
+  convert "$1" ${2:+-crop "$2" +repage} -background '#5a7ba8' -alpha remove -alpha off "PNG24:$work/in.png"
+  convert "$work/in.png" -filter point -resize 600% "$work/nearest.png"
+  ffmpeg -loglevel error -y -i "$work/in.png" -vf 'format=bgr0,xbr=2,xbr=3' -frames:v 1 "$work/xbr.png"
+  "$depixel" "$work/in.png" -o "$work/ours.png" --scale 6 --quiet
+  convert "$work"/{nearest,xbr,ours}.png -bordercolor white -border 3 +append "$3"
+}
+
+i=0
+for sprite in minetest_game_default_apple minetest_game_bucket_lava minetest_game_default_tool_mesesword \
+  whichwayisup_blob_standing_0 whichwayisup_brown_key_0 pixelarticons_bell; do
+  row "tests/data/sprites/$sprite.png" "" "$work/row$((i++)).png"
+done
+convert \( "$work"/row[0-2].png -background white -append \) \( "$work"/row[3-5].png -background white -append \) \
+  +append -colors 256 docs/images/gallery_sprites.png
+row tests/data/frames/jumpnbump_0013.png 88x104+205+60 docs/images/gallery_frame.png
+convert docs/images/gallery_frame.png -colors 256 docs/images/gallery_frame.png
+
+for stage in bitmap similarity cells simplified contours polygons curves smoothed components; do
+  "$depixel" tests/data/sprites/minetest_game_default_apple.png -o "$work/$stage.png" --stage "$stage" --scale 14 --quiet
+  convert "$work/$stage.png" -background white -alpha remove -bordercolor white -border 4 "$work/$stage.png"
+done
+montage "$work"/{bitmap,similarity,cells,simplified,contours,polygons,curves,smoothed,components}.png \
+  -tile 5x -geometry +2+2 -background white -colors 256 docs/images/stages.png

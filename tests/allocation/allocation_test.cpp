@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "libdepixel/pipeline/vectorizer.hpp"
+#include "libdepixel/raster/cpu_raster.hpp"
+#include "tests/support/ascii_picture.hpp"
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+void* allocate(std::size_t size) {
+  ++allocations;
+  if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
+  throw std::bad_alloc();
+}
+
+void* allocate_aligned(std::size_t size, std::align_val_t alignment) {
+  ++allocations;
+  const auto unit = static_cast<std::size_t>(alignment);
+  if (void* p = std::aligned_alloc(unit, (size + unit - 1) / unit * unit)) return p;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  return allocate(size);
+}
+void* operator new[](std::size_t size) {
+  return allocate(size);
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return allocate_aligned(size, alignment);
+}
+void* operator new[](std::size_t size, std::align_val_t alignment) {
+  return allocate_aligned(size, alignment);
+}
+void operator delete(void* p) noexcept {
+  std::free(p);
+}
+void operator delete[](void* p) noexcept {
+  std::free(p);
+}
+void operator delete(void* p, std::size_t) noexcept {
+  std::free(p);
+}
+void operator delete[](void* p, std::size_t) noexcept {
+  std::free(p);
+}
+void operator delete(void* p, std::align_val_t) noexcept {
+  std::free(p);
+}
+void operator delete[](void* p, std::align_val_t) noexcept {
+  std::free(p);
+}
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept {
+  std::free(p);
+}
+void operator delete[](void* p, std::size_t, std::align_val_t) noexcept {
+  std::free(p);
+}
+
+namespace depixel::test {
+namespace {
+
+/// Two frames of one size that are turned into pictures in turn: noise and rings on the one, the same upside
+/// down on the other, so that both need buffers as large.
+std::array<Picture, 2> frames() {
+  Picture picture(96, 64, palette_colour('.'));
+  std::uint32_t state = 7;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      state = state * 1664525 + 1013904223;
+      const int dx = x - 40, dy = y - 30, ring = (dx * dx + dy * dy) / 120 % 4;
+      picture.at(x, y) = palette_colour(x < 24 ? ".#rg"[state >> 30] : "_#b5"[ring]);
+    }
+  }
+  return {picture, Symmetry{false, 2}(picture)};
+}
+
+class Allocation : public testing::TestWithParam<Options> {};
+
+TEST_P(Allocation, NoneAFrameWhenWarm) {
+  const Options& options = GetParam();
+  const std::array<Picture, 2> pictures = frames();
+  Picture out(3 * pictures[0].width, 3 * pictures[0].height);
+  Vectorizer vectorizer;
+  CpuRaster raster;
+  for (int frame = 0; frame < 6; ++frame) {
+    const long before = allocations;
+    const PlanarMap& map = vectorizer.vectorize(pictures[frame % 2].view(), options);
+    const long vectorized = allocations;
+    raster.draw(map, View::fit(map.lattice, out.width, out.height), options.linear_light, 1, out.target());
+    const long drawn = allocations;
+    if (frame == 0) {
+      EXPECT_GT(vectorized, before) << "nothing is counted";
+    }
+    if (frame < 2) continue;
+    EXPECT_EQ(vectorized - before, 0) << "vectorizing frame " << frame;
+    EXPECT_EQ(drawn - vectorized, 0) << "drawing frame " << frame;
+  }
+}
+
+std::vector<Options> exact_options() {
+  std::vector<Options> list;
+  for (const SplineKind spline : {SplineKind::adaptive, SplineKind::approximate, SplineKind::interpolate}) {
+    for (const Smoothing smoothing : {Smoothing::energy, Smoothing::average, Smoothing::none}) {
+      Options options;
+      options.spline = spline;
+      options.smoothing = smoothing;
+      options.linear_light = smoothing == Smoothing::average;
+      list.push_back(options);
+    }
+  }
+  return list;
+}
+
+INSTANTIATE_TEST_SUITE_P(ExactSimilarity, Allocation, testing::ValuesIn(exact_options()));
+
+}  // namespace
+}  // namespace depixel::test

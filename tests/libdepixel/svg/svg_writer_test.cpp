@@ -1,0 +1,155 @@
+#include "libdepixel/svg/svg_writer.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+
+#include "libdepixel/pipeline/vectorizer.hpp"
+#include "libdepixel/raster/cpu_raster.hpp"
+#include "tests/support/random_pictures.hpp"
+#include "tests/support/svg_tools.hpp"
+#include "tests/support/test_pictures.hpp"
+
+namespace depixel::test {
+namespace {
+
+constexpr int kScale = 8;
+
+struct Written {
+  Vectorizer vectorizer;
+  std::string svg;
+  pugi::xml_document document;
+  std::vector<SvgPath> paths;
+
+  explicit Written(const Picture& picture, const Options& options = {}) {
+    vectorizer.vectorize(picture.view(), options);
+    svg = write_svg(vectorizer.map(), vectorizer.graph());
+    document.load_string(svg.c_str());
+    paths = filled_paths(document);
+  }
+
+  Picture raster() const {
+    const Lattice& lattice = vectorizer.map().lattice;
+    Picture picture(lattice.width() * kScale, lattice.height() * kScale);
+    CpuRaster().draw(vectorizer.map(), View::fit(lattice, picture.width, picture.height), false, 1,
+                     picture.target());
+    return picture;
+  }
+};
+
+std::string hex(Rgba c) {
+  std::string text;
+  append_svg_paint(text, "fill", {c.r, c.g, c.b, 255});
+  return text.substr(7, 7);
+}
+
+TEST(SvgNumbers, AreShort) {
+  const auto written = [](int thousandths) {
+    std::string text;
+    append_svg_number(text, thousandths);
+    return text;
+  };
+  EXPECT_EQ(written(0), "0");
+  EXPECT_EQ(written(1000), "1");
+  EXPECT_EQ(written(-1000), "-1");
+  EXPECT_EQ(written(1500), "1.5");
+  EXPECT_EQ(written(-250), "-.25");
+  EXPECT_EQ(written(7), ".007");
+  EXPECT_EQ(written(120040), "120.04");
+}
+
+TEST(SvgPathData, RoundsPointsBeforeDifferences) {
+  std::string text;
+  SvgPathData path(text);
+  path.move_to({0, kSubpixels});
+  path.line_to({kSubpixels / 2, kSubpixels});
+  for (int i = 1; i <= 3; ++i) path.line_to({kSubpixels / 2 + i, kSubpixels});
+  path.curve_to({kSubpixels, kSubpixels}, {kSubpixels, 2 * kSubpixels}, {2 * kSubpixels, 2 * kSubpixels});
+  path.close();
+  EXPECT_EQ(text, "M0 1h.5 .001c.499 0 .499 1 1.499 1z");
+}
+
+TEST(SvgWriter, MeasuresInSourcePixels) {
+  const Written written(ascii_picture({"##..", "##..", "...."}));
+  const pugi::xml_node svg = written.document.child("svg");
+  EXPECT_STREQ(svg.attribute("viewBox").value(), "0 0 4 3");
+  EXPECT_STREQ(svg.attribute("width").value(), "4");
+  EXPECT_STREQ(svg.attribute("height").value(), "3");
+}
+
+TEST(SvgWriter, DrawsOpaqueShapesTwiceAndOthersOnce) {
+  const Written written(ascii_picture({"##__", "##RR", "..RR"}));
+  ASSERT_EQ(written.paths.size(), 3u);  // the transparent component is not drawn
+  EXPECT_EQ(
+      std::count_if(written.paths.begin(), written.paths.end(), [](const SvgPath& p) { return p.in_defs; }),
+      2);
+  const auto uses = written.document.select_nodes("//use[@*='#shapes']");
+  ASSERT_EQ(uses.size(), 2u);
+  EXPECT_STREQ(uses[0].node().attribute("shape-rendering").value(), "crispEdges");
+  EXPECT_STREQ(uses[1].node().attribute("shape-rendering").value(), "");
+  EXPECT_EQ(written.document.select_nodes("//path[@fill-opacity='.502']").size(), 1u);
+  EXPECT_EQ(written.document.select_nodes("//path[ancestor::g/@fill-rule='evenodd']").size(), 3u);
+}
+
+RC_GTEST_PROP(SvgWriter, OnePathAComponent, (const Picture& picture)) {
+  const Written written(picture, *random_options());
+  Components components;
+  label_components(written.vectorizer.graph(), components);
+  find_majority_colours(written.vectorizer.graph(), components);
+  const auto visible =
+      std::count_if(components.colour.begin(), components.colour.end(), [](Rgba c) { return c.a > 0; });
+  RC_ASSERT(static_cast<std::ptrdiff_t>(written.paths.size()) == visible);
+}
+
+RC_GTEST_PROP(SvgWriter, AreasAddUpToTheFrameToTheLastDigit, ()) {
+  const Picture picture = *random_picture({.colours = ".#rgb4567R"});
+  std::int64_t area = 0;
+  for (const SvgPath& path : Written(picture, *random_options()).paths) area += path.area_20;
+  RC_ASSERT(area == std::int64_t{20'000'000} * picture.width * picture.height);
+}
+
+RC_GTEST_PROP(SvgWriter, PixelCentresHaveTheirColour, ()) {
+  const Picture picture = *random_picture({.max_size = 12});
+  const Written written(picture, *random_lossless_options());
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      std::vector<std::string> found;
+      for (const SvgPath& path : written.paths) {
+        if (is_inside(glm::dvec2(x, y) + 0.5, path.polygons)) found.push_back(path.fill);
+      }
+      const Rgba colour = normalized(picture.at(x, y));
+      RC_ASSERT(found == (colour.a == 0 ? std::vector<std::string>{} : std::vector{hex(colour)}));
+    }
+  }
+}
+
+/// Empty if rsvg-convert's picture is what the rasteriser's is, else what differs.
+std::string rsvg_mismatch(const Picture& picture, const Options& options) {
+  constexpr double kMeanTolerance = 2.0;
+  const Written written(picture, options);
+  const Picture expected = written.raster();
+  const Picture drawn = draw_with_rsvg(written.svg, expected.width, expected.height);
+  if (drawn.width == 0) return "rsvg-convert fails on " + written.svg;
+  const PictureDifference difference = compare(expected, drawn);
+  if (difference.mean > kMeanTolerance) return "mean difference " + std::to_string(difference.mean);
+  for (std::size_t i = 0; i < expected.pixels.size(); ++i) {
+    if (expected.pixels[i].a == 255 && drawn.pixels[i].a != 255) {
+      return "see-through at pixel " + std::to_string(i) + ": " + std::to_string(drawn.pixels[i].a);
+    }
+  }
+  return "";
+}
+
+RC_GTEST_PROP(SvgWriter, RsvgDrawsTheRastersPicture, ()) {
+  const Picture picture = *random_picture({.colours = "._#rgb4567"});
+  const std::string mismatch = rsvg_mismatch(picture, *random_options());
+  if (!mismatch.empty()) RC_FAIL(mismatch);
+}
+
+TEST(SvgWriter, RsvgDrawsTranslucentShapes) {
+  EXPECT_EQ(rsvg_mismatch(ascii_picture({"RRRR____", "RRRR_##_", "GGGG_##_", "GG..____"}), {}), "");
+}
+
+}  // namespace
+}  // namespace depixel::test
