@@ -3,6 +3,7 @@
 #include <glm/vec2.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "libdepixel/core/color.hpp"
 
@@ -44,23 +45,32 @@ void append_svg_paint(std::string& out, std::string_view what, Rgba colour);
 /// Gathers shapes that partition a picture, and drawings on top of it, to an SVG document in source pixels.
 ///
 /// Renderers let the background through where shapes meet. So opaque shapes are defined once and drawn twice:
-/// without anti-aliasing, which leaves no gaps, and with it, on top. Translucent shapes are drawn once.
+/// without anti-aliasing, which leaves no gaps, and with it, on top. Where there is anything else than opaque
+/// shapes, a mask keeps the first drawing off the silhouette's pixels, which the second one alone then gives
+/// their coverage. Translucent shapes are drawn once.
 class SvgDocument {
  public:
   SvgDocument(int width_px, int height_px) : width_(width_px), height_(height_px) {}
 
-  /// Opens a shape, to be followed by its path data; nullptr for transparent shapes, which are not drawn.
-  std::string* begin_shape(Rgba colour);
-  /// Ends the shape that was opened.
-  void end_shape(std::string* shape) { shape->append("\"/>\n"); }
+  /// A shape, by its path data. Shapes that meet turn the same way round, holes the other way.
+  void add_shape(Rgba colour, std::string_view path_data);
   /// Elements on top of all shapes.
   std::string& overlay() { return overlay_; }
 
   std::string finish() const;
 
  private:
+  struct Shape {
+    Rgba colour;
+    std::size_t data_bytes;
+  };
+
   int width_, height_;
-  std::string opaque_, translucent_, overlay_;
+  std::vector<Shape> opaque_;
+  std::string opaque_data_;  ///< the shapes' path data, one after the other
+  std::string translucent_;  ///< elements
+  std::string beside_data_;  ///< path data of all that is not opaque
+  std::string overlay_;
 };
 
 }  // namespace depixel

@@ -31,14 +31,14 @@ void append_components(const PlanarMap& map, const SimilarityGraph& graph, SvgDo
       colour[components.label[i]] = map.colours[i];
     }
   }
+  std::string data;
   for (int c = 0; c < components.count; ++c) {
-    std::string* shape = document.begin_shape(colour[c]);
-    if (shape == nullptr) continue;
-    SvgPathData path(*shape);
+    data.clear();
+    SvgPathData path(data);
     for (int i = outlines.first_loop[c]; i < outlines.first_loop[c + 1]; ++i) {
       append_loop(outlines, outlines.loops[i], path);
     }
-    document.end_shape(shape);
+    document.add_shape(colour[c], data);
   }
 }
 

@@ -70,6 +70,14 @@ bool save_picture(const std::filesystem::path& file, const Picture& picture) {
                         4 * picture.width) != 0;
 }
 
+Picture premultiplied(Picture picture) {
+  const auto weighted = [](int channel, int alpha) {
+    return static_cast<std::uint8_t>((channel * alpha + 127) / 255);
+  };
+  for (Rgba& c : picture.pixels) c = {weighted(c.r, c.a), weighted(c.g, c.a), weighted(c.b, c.a), c.a};
+  return picture;
+}
+
 PictureDifference compare(const Picture& expected, const Picture& actual) {
   if (expected.width != actual.width || expected.height != actual.height) return {255, 255};
   PictureDifference result;

@@ -16,6 +16,9 @@ Picture load_picture(const std::filesystem::path& file);
 /// Writes a PNG, and the folder it is in.
 bool save_picture(const std::filesystem::path& file, const Picture& picture);
 
+/// Colours weighted by their alpha: what is nearly transparent hardly shows its colour.
+Picture premultiplied(Picture picture);
+
 /// Largest and mean difference of two pictures' channels; of pictures that differ in size, 255.
 struct PictureDifference {
   int largest = 0;
