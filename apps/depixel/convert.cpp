@@ -15,7 +15,7 @@
 #include "apps/depixel/outputs.hpp"
 #include "apps/depixel/progress_bar.hpp"
 #include "apps/depixel/renderer.hpp"
-#include "apps/depixel/stopwatch.hpp"
+#include "libdepixel/core/stopwatch.hpp"
 
 namespace depixel {
 namespace {

@@ -8,7 +8,7 @@
 #include "apps/common/encode_png.hpp"
 #include "apps/common/files.hpp"
 #include "apps/common/limits.hpp"
-#include "apps/depixel/stopwatch.hpp"
+#include "libdepixel/core/stopwatch.hpp"
 #include "libdepixel/svg/svg_writer.hpp"
 
 namespace depixel {

@@ -5,21 +5,10 @@
 
 #include "libdepixel/core/frame_view.hpp"
 #include "libdepixel/raster/band_sums.hpp"
+#include "libdepixel/raster/view.hpp"
 #include "libdepixel/stages/planar_map.hpp"
 
 namespace depixel {
-
-/// Which part of the source is drawn: output pixel (X, Y) covers source x from origin_x + X / scale_x on.
-struct View {
-  double scale_x = 1, scale_y = 1;    ///< output pixels to a source pixel
-  double origin_x = 0, origin_y = 0;  ///< source pixels at the output's top left
-
-  /// The whole frame stretched to fill an output exactly.
-  static View fit(const Lattice& source, int out_width, int out_height) {
-    return {static_cast<double>(out_width) / source.width(),
-            static_cast<double>(out_height) / source.height(), 0, 0};
-  }
-};
 
 /// Draws planar maps with exact box-filter anti-aliasing. Sums are integers, so the result is bit-identical
 /// whatever the order of work, the number of threads and the compiler. Keeps its buffers from call to call.

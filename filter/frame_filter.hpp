@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <tl/expected.hpp>
+#include <variant>
+
+#include "libdepixel/core/error.hpp"
+#include "libdepixel/core/frame_view.hpp"
+#include "libdepixel/core/options.hpp"
+#include "libdepixel/pipeline/vectorizer.hpp"
+#include "libdepixel/raster/view.hpp"
+
+namespace depixel {
+
+/// Finds an OpenGL function by its name, as eglGetProcAddress() and its like do.
+using GlFunction = void (*)();
+using GlLoader = GlFunction (*)(const char* name);
+
+/// A framebuffer object of the current context; 0 is the window's or the host's default one.
+struct GlFramebuffer {
+  unsigned name = 0;
+};
+
+/// What is drawn to: a picture in memory, or a framebuffer.
+using Target = std::variant<PictureView, GlFramebuffer>;
+
+/// The rectangle of a target that is drawn over, in its pixels. Zero wide or high: nothing is drawn.
+struct Viewport {
+  int x = 0, y = 0;  ///< from a picture's top left, from a framebuffer's bottom left
+  int width = 0, height = 0;
+};
+
+/// What the last submit() and draw() took.
+struct FilterStats {
+  std::int64_t submit_ns = 0;  ///< all of submit()
+  std::int64_t prepare_ns =
+      0;  ///< by the processor, for drawing: lines, tiles and uploads; 0 if there was nothing to do
+  std::int64_t draw_ns = 0;      ///< the rest of draw(); of OpenGL, only until the commands were given
+  std::int64_t lines = 0;        ///< in tiles, of the OpenGL filter
+  std::size_t upload_bytes = 0;  ///< sent to OpenGL by the last preparation
+};
+
+/// Turns frames to vector pictures and draws them: the one class that front ends use.
+///
+/// Frames are submitted, each replaces the one before; then views of it are drawn, as many as wanted. Both
+/// kinds of filter draw the same picture, within a few levels.
+class FrameFilter {
+ public:
+  /// The smallest zoom that is drawn, in output pixels to a source pixel along either axis.
+  static constexpr double kSmallestScale = 1.0 / 16;
+  /// Coordinates of the frame's edges in the output must stay below this many pixels.
+  static constexpr double kLargestCoordinate = 1 << 22;
+
+  /// Draws by the processor, to pictures in memory.
+  static std::unique_ptr<FrameFilter> cpu();
+
+  /// Draws by OpenGL: core profile 3.3 or ES 3.0, on the context that is current now and whenever the filter
+  /// is used or dropped. Draws to framebuffers, and to pictures by reading them back. \return an error if the
+  /// context is too old or refuses a shader or an object, in the driver's words.
+  static tl::expected<std::unique_ptr<FrameFilter>, Error> gl(GlLoader loader);
+
+  virtual ~FrameFilter() = default;
+
+  /// Vectorizes a frame, to be drawn from now on.
+  /// \param frame  read during the call only. An empty one is an error.
+  virtual tl::expected<void, Error> submit(const FrameView& frame, const Options& options);
+
+  /// Draws a view of the submitted frame over a viewport. Outside of the frame lies transparency, which is
+  /// written like any colour: nothing is blended with what the target held. Colours have straight alpha. The
+  /// OpenGL filter leaves the context's state as it was. \return an error if nothing was submitted, the view
+  /// is out of range, the viewport is not inside the picture, or OpenGL failed.
+  virtual tl::expected<void, Error> draw(const Target& target, const Viewport& viewport,
+                                         const View& view) = 0;
+
+  /// To be called when the context was lost: all its objects are forgotten without being deleted, and are
+  /// made anew, on the context that is current then, by the next draw().
+  virtual void context_lost() {}
+
+  /// Of the frame submitted last.
+  const Vectorizer& vectorizer() const { return vectorizer_; }
+  const FilterStats& stats() const { return stats_; }
+
+ protected:
+  /// Checks what draw() is asked for.
+  tl::expected<void, Error> check(const Target& target, const Viewport& viewport, const View& view) const;
+
+  Vectorizer vectorizer_;
+  Options options_;
+  bool has_frame_ = false;
+  FilterStats stats_;
+};
+
+}  // namespace depixel
