@@ -1,9 +1,147 @@
+#include <fmt/core.h>
+
+#include <array>
+#include <optional>
+#include <string>
+
 #include "filter/frame_filter.hpp"
+#include "filter/gl/gl_raster.hpp"
+#include "filter/gl/gl_state.hpp"
+#include "filter/gl/readback.hpp"
+#include "libdepixel/core/stopwatch.hpp"
 
 namespace depixel {
+namespace {
 
-tl::expected<std::unique_ptr<FrameFilter>, Error> FrameFilter::gl(GlLoader) {
-  return tl::unexpected(Error{"OpenGL is not built yet."});
+/// Loads the functions of the current context. \return an error if it is older than what the filter needs.
+tl::expected<void, Error> load(GlLoader loader, GladGLContext& gl) {
+  gl = {};
+  const auto get_string = reinterpret_cast<const GLubyte* (*)(GLenum)>(loader("glGetString"));
+  const auto* version =
+      get_string == nullptr ? nullptr : reinterpret_cast<const char*>(get_string(GL_VERSION));
+  if (version == nullptr) return tl::unexpected(Error{"There is no current OpenGL context."});
+  if (std::string_view(version).starts_with("OpenGL ES")) {
+    gladLoadGLES2Context(&gl, loader);
+    if (gl.ES_VERSION_3_0 != 0) return {};
+  } else {
+    gladLoadGLContext(&gl, loader);
+    if (gl.VERSION_3_3 != 0) return {};
+  }
+  return tl::unexpected(
+      Error{fmt::format("OpenGL 3.3 or OpenGL ES 3.0 is needed, and this is {}.", version)});
+}
+
+/// What OpenGL has to complain of, or nothing. A lost context may complain for ever, so it is asked a few
+/// times.
+std::optional<Error> take_error(const GladGLContext& gl) {
+  constexpr int kMostErrors = 16;
+  const GLenum first = gl.GetError();
+  if (first == GL_NO_ERROR) return std::nullopt;
+  for (int i = 1; i < kMostErrors && gl.GetError() != GL_NO_ERROR; ++i) {
+  }
+  const std::string text = first == GL_OUT_OF_MEMORY                   ? "out of memory"
+                           : first == GL_INVALID_ENUM                  ? "invalid enumerator"
+                           : first == GL_INVALID_VALUE                 ? "invalid value"
+                           : first == GL_INVALID_OPERATION             ? "invalid operation"
+                           : first == GL_INVALID_FRAMEBUFFER_OPERATION ? "invalid framebuffer"
+                                                                       : "context lost";
+  return Error{fmt::format("OpenGL fails: {} ({:#x}).", text, first)};
+}
+
+class GlFilter final : public FrameFilter {
+ public:
+  explicit GlFilter(GlLoader loader) : loader_(loader) {}
+
+  /// Makes all objects, on the context that is current.
+  tl::expected<void, Error> start() {
+    if (auto loaded = load(loader_, gl_); !loaded) return loaded;
+    take_error(gl_);  // the host's
+    const GlStateGuard guard(gl_);
+    auto raster = GlRaster::create(gl_);
+    if (!raster) return tl::unexpected(raster.error());
+    if (auto error = take_error(gl_)) return tl::unexpected(*error);
+    raster_ = std::move(*raster);
+    uploaded_ = false;
+    return {};
+  }
+
+  tl::expected<void, Error> submit(const FrameView& frame, const Options& options) override {
+    uploaded_ = false;
+    return FrameFilter::submit(frame, options);
+  }
+
+  tl::expected<void, Error> draw(const Target& target, const Viewport& viewport, const View& view) override {
+    if (auto checked = check(target, viewport, view); !checked) return checked;
+    if (viewport.width == 0 || viewport.height == 0) return {};
+    if (!raster_) {
+      if (auto started = start(); !started) return started;
+    }
+    stats_.prepare_ns = stats_.draw_ns = 0;
+    stats_.upload_bytes = 0;
+    take_error(gl_);  // the host's
+    const GlStateGuard guard(gl_);
+    if (auto prepared = prepare({view.scale_x, view.scale_y}); !prepared) return prepared;
+    const Stopwatch time(stats_.draw_ns);
+    const auto* picture = std::get_if<PictureView>(&target);
+    const auto drawn = picture != nullptr ? draw_to_picture(*picture, viewport, view)
+                                          : draw_to(std::get<GlFramebuffer>(target), viewport, view);
+    if (!drawn) return drawn;
+    if (auto error = take_error(gl_)) return tl::unexpected(*error);
+    return {};
+  }
+
+  void context_lost() override {
+    if (raster_) raster_->forget();
+    readback_.forget();
+    raster_.reset();
+  }
+
+ private:
+  /// Cuts the map to tiles and sends them, where frame or scale are new.
+  tl::expected<void, Error> prepare(glm::dvec2 scale) {
+    if (uploaded_ && scale == scale_) return {};
+    const Stopwatch time(stats_.prepare_ns);
+    tiles_.build(vectorizer_.map(), scale, options_.linear_light);
+    const auto bytes = raster_->upload(tiles_);
+    if (!bytes) return tl::unexpected(bytes.error());
+    stats_.lines = static_cast<std::int64_t>(tiles_.lines().size());
+    stats_.upload_bytes = *bytes;
+    scale_ = scale;
+    uploaded_ = true;
+    return {};
+  }
+
+  tl::expected<void, Error> draw_to(const GlFramebuffer& framebuffer, const Viewport& viewport,
+                                    const View& view) {
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.name);
+    raster_->draw(viewport, view, options_.linear_light);
+    return {};
+  }
+
+  tl::expected<void, Error> draw_to_picture(const PictureView& picture, const Viewport& viewport,
+                                            const View& view) {
+    if (auto bound = readback_.bind(gl_, viewport.width, viewport.height); !bound) return bound;
+    raster_->draw({0, 0, viewport.width, viewport.height}, view, options_.linear_light);
+    readback_.read(gl_, {picture.pixels + viewport.y * picture.pitch + std::ptrdiff_t{4} * viewport.x,
+                         viewport.width, viewport.height, picture.pitch});
+    return {};
+  }
+
+  GlLoader loader_;
+  GladGLContext gl_{};
+  std::optional<GlRaster> raster_;
+  Readback readback_;
+  LineTiles tiles_;
+  bool uploaded_ = false;
+  glm::dvec2 scale_{0, 0};  ///< that the uploaded lines were flattened for
+};
+
+}  // namespace
+
+tl::expected<std::unique_ptr<FrameFilter>, Error> FrameFilter::gl(GlLoader loader) {
+  auto filter = std::make_unique<GlFilter>(loader);
+  if (auto started = filter->start(); !started) return tl::unexpected(started.error());
+  return filter;
 }
 
 }  // namespace depixel

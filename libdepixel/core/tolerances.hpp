@@ -14,8 +14,7 @@ constexpr int kCentreClearance = kSubpixels / 16;
 /// Output coordinates of the rasterisers are in fixed point: this many units to an output pixel.
 constexpr int kRasterSubpixels = 256;
 
-/// Curves are flattened so finely that a line strays from its curve by at most this part of an output pixel,
-/// in 1/kRasterSubpixels units.
-constexpr int kFlatteningTolerance = 32;
+/// Curves are flattened so finely that a line strays from its curve by at most this much, in output pixels.
+constexpr double kFlatteningTolerance = 1.0 / 8;
 
 }  // namespace depixel

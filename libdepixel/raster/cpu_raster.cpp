@@ -41,6 +41,7 @@ constexpr int kBandHeight = BandSums<OpaqueColour>::kRows * kRasterSubpixels;
 struct CpuRaster::Job {
   const PlanarMap& map;
   ToOutput x, y;
+  glm::dvec2 scale;
   PictureView target;
 
   glm::ivec2 operator()(glm::ivec2 p) const { return {x(p.x), y(p.y)}; }
@@ -86,7 +87,7 @@ void CpuRaster::draw_band(const Job& job, int band, BandSums<Model>& sums) const
   for (int i = first_[band]; i < first_[band + 1]; ++i) {
     const Segment& s = map.segments[order_[i]];
     const auto change = Model::change(map.right_colour(s), map.left_colour(s));
-    flatten(job(s.p0), job(s.p1), job(s.p2), job(s.p3),
+    flatten(job(s.p0), job(s.p1), job(s.p2), job(s.p3), flattening_pieces(s.p0, s.p1, s.p2, s.p3, job.scale),
             [&](glm::ivec2 a, glm::ivec2 b) { sums.add_line(a.x, a.y, b.x, b.y, change); });
   }
   // The border: on the left, the picture begins; on the right, it ends.
@@ -122,7 +123,11 @@ void CpuRaster::draw_bands(const Job& job, int bands, int threads) {
 void CpuRaster::draw(const PlanarMap& map, const View& view, bool linear_light, int threads,
                      const PictureView& target) {
   if (target.width <= 0 || target.height <= 0) return;
-  const Job job{map, ToOutput(view.scale_x, view.origin_x), ToOutput(view.scale_y, view.origin_y), target};
+  const Job job{map,
+                ToOutput(view.scale_x, view.origin_x),
+                ToOutput(view.scale_y, view.origin_y),
+                {view.scale_x, view.scale_y},
+                target};
   const int bands = (target.height + BandSums<OpaqueColour>::kRows - 1) / BandSums<OpaqueColour>::kRows;
   sort_into_bands(job, bands);
   if (job.covers_target() && is_opaque(map)) {

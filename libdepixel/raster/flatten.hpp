@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <glm/vec2.hpp>
 
@@ -10,24 +9,32 @@
 
 namespace depixel {
 
-/// Cuts a cubic Bezier curve, in output subpixels, into lines that stay within kFlatteningTolerance of it.
-/// \param line  called with both ends of each line, in order; the last ends in p3 exactly.
-template <typename Line>
-void flatten(glm::ivec2 p0, glm::ivec2 p1, glm::ivec2 p2, glm::ivec2 p3, Line line) {
+/// How many lines of equal steps in the parameter stay within kFlatteningTolerance of a cubic Bezier curve.
+/// Depends on where the curve lies in no way, so that all rasterisers cut it alike.
+/// \param p0..p3  in subpixels of the source. \param scale  output pixels to a source pixel, by axis.
+inline int flattening_pieces(glm::ivec2 p0, glm::ivec2 p1, glm::ivec2 p2, glm::ivec2 p3, glm::dvec2 scale) {
   const glm::ivec2 bend0 = p0 - 2 * p1 + p2, bend1 = p1 - 2 * p2 + p3;
-  const int bend = std::max(std::max(std::abs(bend0.x), std::abs(bend0.y)),
-                            std::max(std::abs(bend1.x), std::abs(bend1.y)));
+  const double bend = std::max(std::max(std::abs(bend0.x), std::abs(bend1.x)) * scale.x,
+                               std::max(std::abs(bend0.y), std::abs(bend1.y)) * scale.y);
   // A cubic strays from its chord by 6 bend / 8 at most, along either axis; n pieces divide that by n
   // squared.
-  std::int64_t pieces = 1;
-  while (3 * std::int64_t{bend} > 4 * std::int64_t{kFlatteningTolerance} * pieces * pieces) ++pieces;
+  constexpr double kSquareOfOnePiece = kFlatteningTolerance * kSubpixels * 8 / 6;
+  int pieces = 1;
+  while (bend > kSquareOfOnePiece * pieces * pieces) ++pieces;
+  return pieces;
+}
+
+/// Cuts a cubic Bezier curve into lines, in whatever whole units its points are given.
+/// \param line  called with both ends of each line, in order; the last ends in p3 exactly.
+template <typename Line>
+void flatten(glm::ivec2 p0, glm::ivec2 p1, glm::ivec2 p2, glm::ivec2 p3, int pieces, Line line) {
   if (pieces == 1) {
     line(p0, p3);
     return;
   }
-  const glm::dvec2 c1(3 * (p1 - p0)), c2(3 * bend0), c3(p3 - p0 + 3 * (p1 - p2));
+  const glm::dvec2 c1(3 * (p1 - p0)), c2(3 * (p0 - 2 * p1 + p2)), c3(p3 - p0 + 3 * (p1 - p2));
   glm::ivec2 from = p0;
-  const double piece = 1.0 / static_cast<double>(pieces);
+  const double piece = 1.0 / pieces;
   for (int i = 1; i < pieces; ++i) {
     const double t = i * piece;
     const glm::dvec2 way = ((c3 * t + c2) * t + c1) * t;

@@ -1,0 +1,92 @@
+#include "filter/gl/gl_raster.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <span>
+
+#include "filter/gl/gl_program.hpp"
+#include "shaders/embedded.hpp"
+
+namespace depixel {
+namespace {
+
+constexpr GLint kTilesUnit = 0, kLinesUnit = 1;
+
+void use_unit(const GladGLContext& gl, GLint unit) {
+  gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+}
+
+}  // namespace
+
+GlRaster::GlRaster(const GladGLContext& gl, int max_texture_size)
+    : gl_(&gl), max_texture_size_(max_texture_size), tiles_(max_texture_size), lines_(max_texture_size) {}
+
+tl::expected<GlRaster, Error> GlRaster::create(const GladGLContext& gl) {
+  GLint max_texture_size = 0;
+  gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &max_texture_size);
+  GlRaster raster(gl, max_texture_size);
+  auto program = link_program(gl, shaders::tiles_vert, shaders::tiles_frag);
+  if (!program) return tl::unexpected(program.error());
+  raster.program_ = std::move(*program);
+  GLuint vertex_array = 0;
+  gl.GenVertexArrays(1, &vertex_array);
+  raster.no_vertices_ = GlVertexArray(gl, vertex_array);
+
+  const auto location = [&](const char* name) { return gl.GetUniformLocation(raster.program_.name(), name); };
+  raster.at_ = {location("lines_layout"), location("frame_size"),  location("viewport"),
+                location("origin_tile"),  location("origin"),      location("box_size"),
+                location("levels"),       location("linear_light")};
+  gl.UseProgram(raster.program_.name());
+  gl.Uniform1i(location("tiles"), kTilesUnit);
+  gl.Uniform1i(location("lines"), kLinesUnit);
+  gl.Uniform2i(raster.at_.lines_layout, RecordTexture::kColumns - 1, RecordTexture::kColumnBits);
+  return raster;
+}
+
+tl::expected<std::size_t, Error> GlRaster::upload(const LineTiles& tiles) {
+  const auto max_lines = std::size_t{RecordTexture::kColumns} * static_cast<std::size_t>(max_texture_size_);
+  if (tiles.width() > max_texture_size_ || tiles.height() > max_texture_size_ ||
+      tiles.lines().size() > max_lines) {
+    return tl::unexpected(Error{fmt::format(
+        "A frame of {} x {} pixels and {} lines is too large for this OpenGL, whose textures have {} a side.",
+        tiles.width(), tiles.height(), tiles.lines().size(), max_texture_size_)});
+  }
+  frame_width_ = tiles.width();
+  frame_height_ = tiles.height();
+  use_unit(*gl_, kTilesUnit);
+  std::size_t bytes =
+      tiles_.upload(*gl_, std::as_bytes(std::span(tiles.tiles())), frame_width_, frame_height_);
+  use_unit(*gl_, kLinesUnit);
+  bytes += lines_.upload(*gl_, std::as_bytes(std::span(tiles.lines())));
+  return bytes;
+}
+
+void GlRaster::draw(const Viewport& viewport, const View& view, bool linear_light) {
+  const double tile_x = std::floor(view.origin_x), tile_y = std::floor(view.origin_y);
+  gl_->UseProgram(program_.name());
+  gl_->Uniform2i(at_.frame_size, frame_width_, frame_height_);
+  gl_->Uniform3i(at_.viewport, viewport.x, viewport.y, viewport.height);
+  gl_->Uniform2i(at_.origin_tile, static_cast<GLint>(tile_x), static_cast<GLint>(tile_y));
+  gl_->Uniform2f(at_.origin, static_cast<float>(view.origin_x - tile_x),
+                 static_cast<float>(view.origin_y - tile_y));
+  gl_->Uniform2f(at_.box_size, static_cast<float>(1 / view.scale_x), static_cast<float>(1 / view.scale_y));
+  gl_->Uniform1f(at_.levels, static_cast<float>(linear_light ? kTileLightLevels : kTileLevels));
+  gl_->Uniform1i(at_.linear_light, linear_light ? 1 : 0);
+  use_unit(*gl_, kTilesUnit);
+  gl_->BindTexture(GL_TEXTURE_2D, tiles_.name());
+  use_unit(*gl_, kLinesUnit);
+  gl_->BindTexture(GL_TEXTURE_2D, lines_.name());
+  gl_->BindVertexArray(no_vertices_.name());
+  gl_->Viewport(viewport.x, viewport.y, viewport.width, viewport.height);
+  gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void GlRaster::forget() {
+  program_.forget();
+  no_vertices_.forget();
+  tiles_.forget();
+  lines_.forget();
+}
+
+}  // namespace depixel

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <tl/expected.hpp>
+
+#include "filter/frame_filter.hpp"
+#include "filter/gl/gl_object.hpp"
+#include "filter/gl/record_texture.hpp"
+#include "libdepixel/raster/line_tiles.hpp"
+
+namespace depixel {
+
+/// Draws tiles of lines by OpenGL: the counterpart of CpuRaster. One fragment averages the map over its
+/// pixel. State is set and not restored; that is GlStateGuard's.
+class GlRaster {
+ public:
+  static tl::expected<GlRaster, Error> create(const GladGLContext& gl);
+
+  /// Sends a map's tiles, to be drawn from now on. \return the bytes sent.
+  tl::expected<std::size_t, Error> upload(const LineTiles& tiles);
+
+  /// Draws a view of the tiles to the framebuffer that is bound for drawing.
+  void draw(const Viewport& viewport, const View& view, bool linear_light);
+
+  /// Lets go of all objects, which were lost with their context.
+  void forget();
+
+ private:
+  explicit GlRaster(const GladGLContext& gl, int max_texture_size);
+
+  const GladGLContext* gl_;
+  int max_texture_size_;
+  GlProgram program_;
+  GlVertexArray no_vertices_;
+  RecordTexture tiles_, lines_;
+  int frame_width_ = 0, frame_height_ = 0;
+
+  struct Uniforms {
+    GLint lines_layout, frame_size, viewport, origin_tile, origin, box_size, levels, linear_light;
+  } at_{};
+};
+
+}  // namespace depixel

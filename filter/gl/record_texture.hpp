@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "filter/gl/gl_object.hpp"
+
+namespace depixel {
+
+/// A texture of records of four 32-bit words each, in rows of a power of two, which grows as needed: a list
+/// that shaders read by number. (Buffer textures would be one, but OpenGL ES 3.0 has none.)
+class RecordTexture {
+ public:
+  /// \param max_rows  of a texture of the context.
+  explicit RecordTexture(int max_rows) : max_rows_(max_rows) {}
+
+  static constexpr int kColumnBits = 11;
+  static constexpr int kColumns = 1 << kColumnBits;
+
+  /// Copies records to the texture, which is bound to the active unit. \return the bytes that were sent.
+  std::size_t upload(const GladGLContext& gl, std::span<const std::byte> records);
+  /// The same for rows of a width of their own, as of a picture.
+  std::size_t upload(const GladGLContext& gl, std::span<const std::byte> records, int width, int height);
+
+  GLuint name() const { return texture_.name(); }
+  void forget() { texture_.forget(); }
+
+ private:
+  void reserve(const GladGLContext& gl, int width, int height);
+
+  int max_rows_;
+  GlTexture texture_;
+  int width_ = 0, height_ = 0;
+};
+
+}  // namespace depixel
