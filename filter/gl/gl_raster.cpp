@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <span>
+#include <string>
 
 #include "filter/gl/gl_program.hpp"
 #include "shaders/embedded.hpp"
@@ -26,22 +27,31 @@ tl::expected<GlRaster, Error> GlRaster::create(const GladGLContext& gl) {
   GLint max_texture_size = 0;
   gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &max_texture_size);
   GlRaster raster(gl, max_texture_size);
-  auto program = link_program(gl, shaders::tiles_vert, shaders::tiles_frag);
-  if (!program) return tl::unexpected(program.error());
-  raster.program_ = std::move(*program);
+  for (const bool linear_light : {false, true}) {
+    auto program = link(gl, linear_light);
+    if (!program) return tl::unexpected(program.error());
+    raster.programs_[linear_light ? 1 : 0] = std::move(*program);
+  }
   GLuint vertex_array = 0;
   gl.GenVertexArrays(1, &vertex_array);
   raster.no_vertices_ = GlVertexArray(gl, vertex_array);
+  return raster;
+}
 
-  const auto location = [&](const char* name) { return gl.GetUniformLocation(raster.program_.name(), name); };
-  raster.at_ = {location("lines_layout"), location("frame_size"),  location("viewport"),
-                location("origin_tile"),  location("origin"),      location("box_size"),
-                location("levels"),       location("linear_light")};
-  gl.UseProgram(raster.program_.name());
+tl::expected<GlRaster::Program, Error> GlRaster::link(const GladGLContext& gl, bool linear_light) {
+  const std::string defines = linear_light ? "#define LINEAR_LIGHT\n" : "";
+  auto linked = link_program(gl, shaders::tiles_vert, defines + std::string(shaders::tiles_frag));
+  if (!linked) return tl::unexpected(linked.error());
+  const auto location = [name = linked->name(), &gl](const char* uniform) {
+    return gl.GetUniformLocation(name, uniform);
+  };
+  gl.UseProgram(linked->name());
   gl.Uniform1i(location("tiles"), kTilesUnit);
   gl.Uniform1i(location("lines"), kLinesUnit);
-  gl.Uniform2i(raster.at_.lines_layout, RecordTexture::kColumns - 1, RecordTexture::kColumnBits);
-  return raster;
+  gl.Uniform2i(location("lines_layout"), RecordTexture::kColumns - 1, RecordTexture::kColumnBits);
+  return Program{std::move(*linked),          location("frame_size"), location("viewport"),
+                 location("origin_tile"),     location("origin"),     location("box_size"),
+                 location("to_full_strength")};
 }
 
 tl::expected<std::size_t, Error> GlRaster::upload(const LineTiles& tiles) {
@@ -64,15 +74,18 @@ tl::expected<std::size_t, Error> GlRaster::upload(const LineTiles& tiles) {
 
 void GlRaster::draw(const Viewport& viewport, const View& view, bool linear_light) {
   const double tile_x = std::floor(view.origin_x), tile_y = std::floor(view.origin_y);
-  gl_->UseProgram(program_.name());
-  gl_->Uniform2i(at_.frame_size, frame_width_, frame_height_);
-  gl_->Uniform3i(at_.viewport, viewport.x, viewport.y, viewport.height);
-  gl_->Uniform2i(at_.origin_tile, static_cast<GLint>(tile_x), static_cast<GLint>(tile_y));
-  gl_->Uniform2f(at_.origin, static_cast<float>(view.origin_x - tile_x),
+  const Program& program = programs_[linear_light ? 1 : 0];
+  gl_->UseProgram(program.object.name());
+  gl_->Uniform2i(program.frame_size, frame_width_, frame_height_);
+  gl_->Uniform3i(program.viewport, viewport.x, viewport.y, viewport.height);
+  gl_->Uniform2i(program.origin_tile, static_cast<GLint>(tile_x), static_cast<GLint>(tile_y));
+  gl_->Uniform2f(program.origin, static_cast<float>(view.origin_x - tile_x),
                  static_cast<float>(view.origin_y - tile_y));
-  gl_->Uniform2f(at_.box_size, static_cast<float>(1 / view.scale_x), static_cast<float>(1 / view.scale_y));
-  gl_->Uniform1f(at_.levels, static_cast<float>(linear_light ? kTileLightLevels : kTileLevels));
-  gl_->Uniform1i(at_.linear_light, linear_light ? 1 : 0);
+  gl_->Uniform2f(program.box_size, static_cast<float>(1 / view.scale_x),
+                 static_cast<float>(1 / view.scale_y));
+  const double area = double{kTileUnits} * kTileUnits / (view.scale_x * view.scale_y);
+  const double levels = linear_light ? kTileLightLevels : kTileLevels;
+  gl_->Uniform1f(program.to_full_strength, static_cast<float>(1 / (area * levels)));
   use_unit(*gl_, kTilesUnit);
   gl_->BindTexture(GL_TEXTURE_2D, tiles_.name());
   use_unit(*gl_, kLinesUnit);
@@ -83,7 +96,7 @@ void GlRaster::draw(const Viewport& viewport, const View& view, bool linear_ligh
 }
 
 void GlRaster::forget() {
-  program_.forget();
+  for (Program& program : programs_) program.object.forget();
   no_vertices_.forget();
   tiles_.forget();
   lines_.forget();

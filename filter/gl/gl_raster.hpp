@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <tl/expected.hpp>
 
 #include "filter/frame_filter.hpp"
@@ -27,16 +28,19 @@ class GlRaster {
  private:
   explicit GlRaster(const GladGLContext& gl, int max_texture_size);
 
+  /// The program for one way to blend, and where its uniforms are.
+  struct Program {
+    GlProgram object;
+    GLint frame_size, viewport, origin_tile, origin, box_size, to_full_strength;
+  };
+  static tl::expected<Program, Error> link(const GladGLContext& gl, bool linear_light);
+
   const GladGLContext* gl_;
   int max_texture_size_;
-  GlProgram program_;
+  std::array<Program, 2> programs_;  ///< for colours as they are, and in linear light
   GlVertexArray no_vertices_;
   RecordTexture tiles_, lines_;
   int frame_width_ = 0, frame_height_ = 0;
-
-  struct Uniforms {
-    GLint lines_layout, frame_size, viewport, origin_tile, origin, box_size, levels, linear_light;
-  } at_{};
 };
 
 }  // namespace depixel

@@ -9,7 +9,7 @@ struct Switch {
   bool in_es;
 };
 
-constexpr std::array<Switch, 11> kSwitches{{
+constexpr std::array<Switch, 12> kSwitches{{
     {GL_BLEND, true},
     {GL_CULL_FACE, true},
     {GL_DEPTH_TEST, true},
@@ -21,23 +21,27 @@ constexpr std::array<Switch, 11> kSwitches{{
     {GL_STENCIL_TEST, true},
     {GL_COLOR_LOGIC_OP, false},
     {GL_FRAMEBUFFER_SRGB, false},
+    {GL_SAMPLE_MASK, false},
 }};
 
 /// A parameter of pixel transfers and its initial value, which transfers here rely on.
 struct PixelStore {
   GLenum name;
   GLint value;
+  bool in_es;
 };
 
-constexpr std::array<PixelStore, 8> kPixelStores{{
-    {GL_UNPACK_ALIGNMENT, 4},
-    {GL_UNPACK_ROW_LENGTH, 0},
-    {GL_UNPACK_SKIP_ROWS, 0},
-    {GL_UNPACK_SKIP_PIXELS, 0},
-    {GL_PACK_ALIGNMENT, 4},
-    {GL_PACK_ROW_LENGTH, 0},
-    {GL_PACK_SKIP_ROWS, 0},
-    {GL_PACK_SKIP_PIXELS, 0},
+constexpr std::array<PixelStore, 10> kPixelStores{{
+    {GL_UNPACK_ALIGNMENT, 4, true},
+    {GL_UNPACK_ROW_LENGTH, 0, true},
+    {GL_UNPACK_SKIP_ROWS, 0, true},
+    {GL_UNPACK_SKIP_PIXELS, 0, true},
+    {GL_PACK_ALIGNMENT, 4, true},
+    {GL_PACK_ROW_LENGTH, 0, true},
+    {GL_PACK_SKIP_ROWS, 0, true},
+    {GL_PACK_SKIP_PIXELS, 0, true},
+    {GL_UNPACK_SWAP_BYTES, 0, false},
+    {GL_PACK_SWAP_BYTES, 0, false},
 }};
 
 GLuint name(GLint value) {
@@ -71,6 +75,7 @@ GlStateGuard::GlStateGuard(const GladGLContext& gl) : gl_(gl) {
     if (switches_[i] == GL_TRUE) gl.Disable(s.name);
   }
   for (std::size_t i = 0; i < kPixelStoreCount; ++i) {
+    if (!is_desktop && !kPixelStores[i].in_es) continue;
     gl.GetIntegerv(kPixelStores[i].name, &pixel_stores_[i]);
     gl.PixelStorei(kPixelStores[i].name, kPixelStores[i].value);
   }
@@ -87,7 +92,7 @@ GlStateGuard::~GlStateGuard() {
   const bool is_desktop = gl_.VERSION_3_3 != 0;
   if (is_desktop) gl_.PolygonMode(GL_FRONT_AND_BACK, name(polygon_mode_[0]));
   for (std::size_t i = 0; i < kPixelStoreCount; ++i) {
-    gl_.PixelStorei(kPixelStores[i].name, pixel_stores_[i]);
+    if (is_desktop || kPixelStores[i].in_es) gl_.PixelStorei(kPixelStores[i].name, pixel_stores_[i]);
   }
   for (std::size_t i = 0; i < kSwitchCount; ++i) {
     if (switches_[i] == GL_TRUE) gl_.Enable(kSwitches[i].name);

@@ -18,8 +18,8 @@ class GlStateGuard {
   static constexpr int kUnits = 2;  ///< texture units that the filter uses, from 0 on
 
  private:
-  static constexpr std::size_t kSwitchCount = 11;
-  static constexpr std::size_t kPixelStoreCount = 8;
+  static constexpr std::size_t kSwitchCount = 12;
+  static constexpr std::size_t kPixelStoreCount = 10;
 
   struct Unit {
     GLint texture = 0, sampler = 0;

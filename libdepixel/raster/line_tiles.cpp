@@ -19,7 +19,8 @@ TileColour encode(Rgba c, bool linear_light) {
         linear_light ? kTileLightLevels / kLightLevels * to_light(level) : kTileLevels / 255 * level;
     return static_cast<std::int16_t>(c.a == 255 ? full : (full * c.a + 127) / 255);
   };
-  return {channel(c.r), channel(c.g), channel(c.b), static_cast<std::int16_t>(kTileLevels / 255 * c.a)};
+  const int alpha = ((linear_light ? kTileLightLevels : kTileLevels) * c.a + 127) / 255;
+  return {channel(c.r), channel(c.g), channel(c.b), static_cast<std::int16_t>(alpha)};
 }
 
 TileColour difference(const TileColour& a, const TileColour& b) {

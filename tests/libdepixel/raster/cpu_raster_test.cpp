@@ -205,7 +205,7 @@ RC_GTEST_PROP(CpuRaster, RowsCloseOnAllSides, (const Picture& picture)) {
 constexpr double kStraightTolerance = 255 * (4.0 / kRasterSubpixels + 0.5 / 64) + 1;
 /// What a curve adds: it may stray from its flattened self; where every pixel holds a curve, an eighth of
 /// that on average.
-constexpr double kCurveTolerance = 255.0 * kFlatteningTolerance / kRasterSubpixels;
+constexpr double kCurveTolerance = 255.0 * kFlatteningTolerance;
 
 RC_GTEST_PROP(CpuRaster, StraightLinesEqualSamples, (const Picture& picture)) {
   const View view = *random_view();
