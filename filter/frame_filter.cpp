@@ -45,7 +45,7 @@ tl::expected<void, Error> FrameFilter::check(const Target& target, const Viewpor
   }
   const Lattice& lattice = vectorizer_.map().lattice;
   const auto in_range = [](double scale, double origin, int size) {
-    return scale >= kSmallestScale && std::abs(origin * scale) < kLargestCoordinate &&
+    return scale > 0 && std::abs(origin * scale) < kLargestCoordinate &&
            std::abs((size - origin) * scale) < kLargestCoordinate;
   };
   if (!in_range(view.scale_x, view.origin_x, lattice.width()) ||

@@ -48,8 +48,9 @@ struct FilterStats {
 /// kinds of filter draw the same picture, within a few levels.
 class FrameFilter {
  public:
-  /// The smallest zoom that is drawn, in output pixels to a source pixel along either axis.
-  static constexpr double kSmallestScale = 1.0 / 16;
+  /// The smallest zoom that OpenGL draws, in output pixels to a source pixel along either axis: a fragment
+  /// visits all tiles under its pixel. The processor draws any.
+  static constexpr double kSmallestGlScale = 1.0 / 16;
   /// Coordinates of the frame's edges in the output must stay below this many pixels.
   static constexpr double kLargestCoordinate = 1 << 22;
 

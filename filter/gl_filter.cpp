@@ -1,6 +1,6 @@
 #include <fmt/core.h>
 
-#include <array>
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -73,6 +73,10 @@ class GlFilter final : public FrameFilter {
   tl::expected<void, Error> draw(const Target& target, const Viewport& viewport, const View& view) override {
     if (auto checked = check(target, viewport, view); !checked) return checked;
     if (viewport.width == 0 || viewport.height == 0) return {};
+    if (std::min(view.scale_x, view.scale_y) < kSmallestGlScale) {
+      return tl::unexpected(Error{fmt::format("OpenGL draws at scales from {} on, and this is {} by {}.",
+                                              kSmallestGlScale, view.scale_x, view.scale_y)});
+    }
     if (!raster_) {
       if (auto started = start(); !started) return started;
     }

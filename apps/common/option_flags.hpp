@@ -11,6 +11,11 @@
 
 namespace depixel {
 
+/// A size in output pixels.
+struct OutputSize {
+  int width = 0, height = 0;
+};
+
 /// Adds a flag for every row of the option table; parsing then writes to `options`, which must outlive the
 /// app.
 void add_option_flags(CLI::App& app, Options& options);
@@ -19,6 +24,16 @@ void add_option_flags(CLI::App& app, Options& options);
 /// \param choose  is told the index of the name that is given.
 CLI::Option* add_choice_flag(CLI::App& app, const std::string& flag, const std::string& help,
                              std::span<const std::string_view> names, const std::function<void(int)>& choose);
+
+/// Adds a flag that takes output pixels to an input pixel, above 0 and up to kMaxSide.
+/// \param into  is written to by parsing and must outlive the app.
+CLI::Option* add_scale_flag(CLI::App& app, const std::string& flag, std::optional<double>& into,
+                            const std::string& help);
+
+/// Adds a flag that takes a size such as 1280x960, with sides from 1 to kMaxSide.
+/// \param into  is written to by parsing and must outlive the app.
+CLI::Option* add_size_flag(CLI::App& app, const std::string& flag, std::optional<OutputSize>& into,
+                           const std::string& help);
 
 /// A number in decimal digits, finite, that is all of the text; none otherwise.
 std::optional<double> parse_number(std::string_view text);

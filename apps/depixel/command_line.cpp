@@ -8,14 +8,11 @@
 #include <cstdio>
 #include <string_view>
 
-#include "apps/common/limits.hpp"
-#include "apps/depixel/exit_codes.hpp"
-#include "apps/depixel/option_flags.hpp"
+#include "apps/common/exit_codes.hpp"
+#include "apps/common/option_flags.hpp"
 
 namespace depixel {
 namespace {
-
-constexpr double kMinScale = 1.0 / kMaxSide, kMaxScale = kMaxSide;
 
 constexpr std::string_view kDescription =
     "Turns pixel art into smooth vector pictures, drawn at any size or written as SVG.";
@@ -26,39 +23,11 @@ constexpr std::string_view kFooter =
     "freely.\n"
     "Exit codes: 0 done, 1 failed, 2 wrong usage.";
 
-/// "640x480"; none unless both are a possible side of a picture.
-std::optional<OutputSize> parse_size(std::string_view text) {
-  const auto cross = text.find('x');
-  if (cross == std::string_view::npos) return std::nullopt;
-  const auto width = parse_count(text.substr(0, cross)), height = parse_count(text.substr(cross + 1));
-  const auto possible = [](std::optional<int> side) { return side && *side >= 1 && *side <= kMaxSide; };
-  if (!possible(width) || !possible(height)) return std::nullopt;
-  return OutputSize{*width, *height};
-}
-
 void add_size_flags(CLI::App& app, Arguments& arguments) {
-  const auto parse_scale = [&arguments](const std::string& text) {
-    arguments.scale = parse_number(text);
-    if (!arguments.scale || *arguments.scale < kMinScale || *arguments.scale > kMaxScale) {
-      throw CLI::ValidationError("--scale",
-                                 fmt::format("\"{}\" is not a number above 0 and up to {}", text, kMaxScale));
-    }
-  };
-  const auto parse_size_text = [&arguments](const std::string& text) {
-    arguments.size = parse_size(text);
-    if (!arguments.size) {
-      throw CLI::ValidationError(
-          "--size",
-          fmt::format("\"{}\" is not a size like 1280x960 with sides from 1 to {}", text, kMaxSide));
-    }
-  };
-  auto* scale = app.add_option_function<std::string>("-s,--scale", parse_scale,
-                                                     "Output pixels to an input pixel; may be fractional")
-                    ->type_name("SCALE")
-                    ->default_str("4, or 16 with --stage");
-  app.add_option_function<std::string>("--size", parse_size_text,
-                                       "Output size; the picture is stretched to fill it")
-      ->type_name("WxH")
+  auto* scale =
+      add_scale_flag(app, "-s,--scale", arguments.scale, "Output pixels to an input pixel; may be fractional")
+          ->default_str("4, or 16 with --stage");
+  add_size_flag(app, "--size", arguments.size, "Output size; the picture is stretched to fill it")
       ->excludes(scale);
 }
 
@@ -72,6 +41,21 @@ void add_output_flags(CLI::App& app, Arguments& arguments) {
                   [&](int index) { arguments.stage = static_cast<StageView>(index); });
   add_choice_flag(app, "--format", "Kind of picture, where OUT does not tell; png unless given", kFormatNames,
                   [&](int index) { arguments.format = static_cast<Format>(index); });
+}
+
+void add_backend_flags(CLI::App& app, Arguments& arguments) {
+  static constexpr std::array<std::string_view, 2> kBackendNames{"cpu", "gl"};
+  add_choice_flag(app, "--backend", "What draws: the processor, or OpenGL without a display", kBackendNames,
+                  [&](int index) { arguments.backend = static_cast<Backend>(index); })
+      ->default_str("cpu");
+  add_choice_flag(app, "--context", "Where OpenGL comes from; whichever can be had unless given",
+                  context_kind_names(),
+                  [&](int index) { arguments.context = static_cast<ContextKind>(index); });
+  app.callback([&] {
+    if (arguments.context && arguments.backend != Backend::gl) {
+      throw CLI::ValidationError("--context", "needs --backend gl");
+    }
+  });
 }
 
 void add_report_flags(CLI::App& app, Arguments& arguments) {
@@ -98,6 +82,7 @@ std::variant<Arguments, int> parse_command_line(int argc, char** argv) {
       ->required();
   add_output_flags(app, arguments);
   add_option_flags(app, arguments.options);
+  add_backend_flags(app, arguments);
   add_report_flags(app, arguments);
 
   try {

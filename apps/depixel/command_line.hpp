@@ -5,17 +5,16 @@
 #include <variant>
 #include <vector>
 
+#include "apps/common/option_flags.hpp"
+#include "apps/headless/headless_context.hpp"
 #include "libdepixel/core/options.hpp"
 #include "libdepixel/views/stage_view.hpp"
 
 namespace depixel {
 
 enum class Format { svg, png };
+enum class Backend { cpu, gl };
 enum class StatsForm { none, table, json };
-
-struct OutputSize {
-  int width = 0, height = 0;  ///< output pixels
-};
 
 /// What the command line asks for; every value is in its range.
 struct Arguments {
@@ -26,6 +25,8 @@ struct Arguments {
   Options options;
   std::optional<StageView> stage;
   std::optional<Format> format;
+  Backend backend = Backend::cpu;
+  std::optional<ContextKind> context;  ///< with Backend::gl only; none: whichever can be had
   bool verify = false;
   StatsForm stats = StatsForm::none;
   bool quiet = false;

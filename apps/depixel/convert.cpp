@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
+#include "apps/common/exit_codes.hpp"
 #include "apps/common/files.hpp"
 #include "apps/common/frame_source.hpp"
-#include "apps/depixel/exit_codes.hpp"
 #include "apps/depixel/outputs.hpp"
 #include "apps/depixel/progress_bar.hpp"
 #include "apps/depixel/renderer.hpp"
@@ -45,8 +45,8 @@ int fail(const Error& error) {
 /// One run of the program: its frames, where they go, and what is known of them at the end.
 class Conversion {
  public:
-  Conversion(const Arguments& arguments, Inputs inputs)
-      : arguments_(arguments), source_(std::move(inputs)), renderer_(arguments) {}
+  Conversion(const Arguments& arguments, Inputs inputs, Renderer renderer)
+      : arguments_(arguments), source_(std::move(inputs)), renderer_(std::move(renderer)) {}
 
   using Frame = std::optional<NamedFrame>;
 
@@ -113,7 +113,9 @@ int Conversion::report() const {
 int convert(const Arguments& arguments) {
   auto inputs = find_inputs(arguments.inputs);
   if (!inputs) return fail(inputs.error());
-  Conversion conversion(arguments, *inputs);
+  auto renderer = Renderer::create(arguments);
+  if (!renderer) return fail(renderer.error());
+  Conversion conversion(arguments, *inputs, std::move(*renderer));
   auto first = conversion.read();
   if (!first) return fail(first.error());
 

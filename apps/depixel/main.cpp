@@ -6,9 +6,9 @@
 #include <new>
 #include <variant>
 
+#include "apps/common/exit_codes.hpp"
 #include "apps/depixel/command_line.hpp"
 #include "apps/depixel/convert.hpp"
-#include "apps/depixel/exit_codes.hpp"
 
 int main(int argc, char** argv) {
   using namespace depixel;

@@ -37,12 +37,29 @@ tl::expected<OutputSize, Error> output_size(const Arguments& arguments, int widt
   return OutputSize{static_cast<int>(out_width), static_cast<int>(out_height)};
 }
 
+tl::expected<Renderer, Error> Renderer::create(const Arguments& arguments) {
+  Renderer renderer(arguments);
+  if (arguments.backend == Backend::cpu) {
+    renderer.filter_ = FrameFilter::cpu();
+    return renderer;
+  }
+  auto context = HeadlessContext::create(arguments.context);
+  if (!context) return tl::unexpected(context.error());
+  renderer.context_ = std::move(*context);
+  auto filter = FrameFilter::gl(renderer.context_->loader());
+  if (!filter) return tl::unexpected(filter.error());
+  renderer.filter_ = std::move(*filter);
+  return renderer;
+}
+
 tl::expected<File, Error> Renderer::render(const FrameView& frame, Format format, RunStats& stats) {
-  const auto size = output_size(arguments_, frame.width, frame.height);
+  const auto size = output_size(*arguments_, frame.width, frame.height);
   if (format == Format::png && !size) return tl::unexpected(size.error());
 
-  vectorizer_.vectorize(frame, arguments_.options);
-  stats.add(vectorizer_.stats());
+  if (auto submitted = filter_->submit(frame, arguments_->options); !submitted) {
+    return tl::unexpected(submitted.error());
+  }
+  stats.add(filter_->vectorizer().stats());
   if (format == Format::svg) {
     const Stopwatch drawing(stats.draw_ns);
     const std::string svg = draw_svg(frame);
@@ -51,7 +68,7 @@ tl::expected<File, Error> Renderer::render(const FrameView& frame, Format format
   }
   {
     const Stopwatch drawing(stats.draw_ns);
-    draw_picture(frame, *size);
+    if (auto drawn = draw_picture(frame, *size); !drawn) return tl::unexpected(drawn.error());
   }
   const Stopwatch writing(stats.write_ns);
   File png = encode_png(picture_.view());
@@ -60,20 +77,21 @@ tl::expected<File, Error> Renderer::render(const FrameView& frame, Format format
 }
 
 std::string Renderer::draw_svg(const FrameView& frame) const {
-  if (arguments_.stage)
-    return write_stage_svg(make_stage_drawing(*arguments_.stage, frame, arguments_.options));
-  return write_svg(vectorizer_.map(), vectorizer_.graph());
+  if (arguments_->stage) {
+    return write_stage_svg(make_stage_drawing(*arguments_->stage, frame, arguments_->options));
+  }
+  return write_svg(filter_->vectorizer().map(), filter_->vectorizer().graph());
 }
 
-void Renderer::draw_picture(const FrameView& frame, OutputSize size) {
+tl::expected<void, Error> Renderer::draw_picture(const FrameView& frame, OutputSize size) {
   picture_.resize(size.width, size.height);
-  if (arguments_.stage) {
-    paint_stage(make_stage_drawing(*arguments_.stage, frame, arguments_.options), picture_.target());
-    return;
+  if (arguments_->stage) {
+    paint_stage(make_stage_drawing(*arguments_->stage, frame, arguments_->options), picture_.target());
+    return {};
   }
-  const PlanarMap& map = vectorizer_.map();
-  raster_.draw(map, View::fit(map.lattice, size.width, size.height), arguments_.options.linear_light,
-               arguments_.options.threads, picture_.target());
+  const Lattice& lattice = filter_->vectorizer().map().lattice;
+  return filter_->draw(picture_.target(), {0, 0, size.width, size.height},
+                       View::fit(lattice, size.width, size.height));
 }
 
 }  // namespace depixel

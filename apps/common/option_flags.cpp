@@ -1,4 +1,4 @@
-#include "apps/depixel/option_flags.hpp"
+#include "apps/common/option_flags.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,12 @@
 #include <cmath>
 #include <variant>
 
+#include "apps/common/limits.hpp"
+
 namespace depixel {
 namespace {
+
+constexpr double kMinScale = 1.0 / kMaxSide, kMaxScale = kMaxSide;
 
 template <typename Number>
 std::optional<Number> parse_whole(std::string_view text) {
@@ -17,6 +21,16 @@ std::optional<Number> parse_whole(std::string_view text) {
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc{} || stop != end) return std::nullopt;
   return value;
+}
+
+/// "640x480"; none unless both are a possible side of a picture.
+std::optional<OutputSize> parse_size(std::string_view text) {
+  const auto cross = text.find('x');
+  if (cross == std::string_view::npos) return std::nullopt;
+  const auto width = parse_count(text.substr(0, cross)), height = parse_count(text.substr(cross + 1));
+  const auto possible = [](std::optional<int> side) { return side && *side >= 1 && *side <= kMaxSide; };
+  if (!possible(width) || !possible(height)) return std::nullopt;
+  return OutputSize{*width, *height};
 }
 
 /// Adds the flag of one row; there is an overload for each kind of option.
@@ -75,6 +89,31 @@ CLI::Option* add_choice_flag(CLI::App& app, const std::string& flag, const std::
   };
   return app.add_option_function<std::string>(flag, parse, help)
       ->type_name(fmt::format("{}", fmt::join(names, "|")));
+}
+
+CLI::Option* add_scale_flag(CLI::App& app, const std::string& flag, std::optional<double>& into,
+                            const std::string& help) {
+  const auto parse = [&into](const std::string& text) {
+    into = parse_number(text);
+    if (!into || *into < kMinScale || *into > kMaxScale) {
+      throw CLI::ValidationError("--scale",
+                                 fmt::format("\"{}\" is not a number above 0 and up to {}", text, kMaxScale));
+    }
+  };
+  return app.add_option_function<std::string>(flag, parse, help)->type_name("SCALE");
+}
+
+CLI::Option* add_size_flag(CLI::App& app, const std::string& flag, std::optional<OutputSize>& into,
+                           const std::string& help) {
+  const auto parse = [&into](const std::string& text) {
+    into = parse_size(text);
+    if (!into) {
+      throw CLI::ValidationError(
+          "--size",
+          fmt::format("\"{}\" is not a size like 1280x960 with sides from 1 to {}", text, kMaxSide));
+    }
+  };
+  return app.add_option_function<std::string>(flag, parse, help)->type_name("WxH");
 }
 
 void add_option_flags(CLI::App& app, Options& options) {
