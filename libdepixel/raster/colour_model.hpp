@@ -66,8 +66,10 @@ struct Translucent {
   static Change change(Rgba from, Rgba to) { return encode(to) - encode(from); }
   static Sums times(const Change& change, int factor) { return change * factor; }
   static Rgba decode(const Sums& sums) {
+    // Where curves overlap by a hair, sums leave the range.
     const std::int64_t alpha = sums[3];
-    const auto a = static_cast<std::uint8_t>((alpha + kFullCoverage / 2) >> kFullCoverageBits);
+    const auto a = static_cast<std::uint8_t>(
+        std::clamp<std::int64_t>((alpha + kFullCoverage / 2) >> kFullCoverageBits, 0, 255));
     if (a == 0) return {};
     const auto channel = [&](std::int64_t v) {
       const auto level = static_cast<int>((v + alpha / 2) / alpha);

@@ -231,6 +231,17 @@ RC_GTEST_PROP(CpuRaster, CurvesEqualSamples, (const Picture& picture)) {
   RC_ASSERT(difference.mean <= kCurveTolerance / 8);
 }
 
+TEST(CpuRaster, AlphaDoesNotWrapWhereCurvesOverlap) {
+  const PlanarMap map = vectorized(ascii_picture({".........", "..._###_.", "...#...#.", "........."}),
+                                   {.spline = SplineKind::adaptive});
+  const View view{0.5, 5.75, -5, -5};
+  const Picture drawn = draw(map, view, 9, 40);
+  const auto samples = sampled(map, view, false, 9, 40);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    EXPECT_NEAR(drawn.pixels[i].a, std::min(samples[i].a, 255.0), kStraightTolerance + kCurveTolerance) << i;
+  }
+}
+
 RC_GTEST_PROP(CpuRaster, AViewIsACropOfTheWhole, (const Picture& picture)) {
   // At a whole scale, views that start at whole output pixels show the same as the whole picture does there.
   const int scale = *rc::gen::element(1, 2, 4);
