@@ -37,19 +37,13 @@ class Descriptor {
   int fd_;
 };
 
-/// Appends what is left to read. \return 0, or an errno value.
-int read_all(int fd, std::vector<std::uint8_t>& bytes) {
-  constexpr std::size_t kChunk = std::size_t{1} << 20;
-  while (bytes.size() <= kMaxFileBytes) {
-    const std::size_t size = bytes.size();
-    bytes.resize(size + kChunk);
-    const ssize_t got = ::read(fd, bytes.data() + size, kChunk);
-    const int error = got < 0 ? errno : 0;
-    bytes.resize(size + (got > 0 ? static_cast<std::size_t>(got) : 0));
-    if (error == EINTR) continue;
-    if (got <= 0) return error;
-  }
-  return EFBIG;
+/// How a file is named in sentences.
+std::string name_of(const fs::path& path) {
+  return path == "-" ? "standard input" : path.string();
+}
+
+tl::unexpected<Error> unreadable(const fs::path& path, int error) {
+  return tl::unexpected(Error{fmt::format("{} cannot be read: {}.", name_of(path), reason(error))});
 }
 
 /// \return 0, or an errno value.
@@ -83,20 +77,33 @@ fs::path resolved(const fs::path& path) {
 
 }  // namespace
 
-tl::expected<std::vector<std::uint8_t>, Error> read_file(const fs::path& path) {
-  const bool standard_input = path == "-";
-  const Descriptor file(standard_input ? ::dup(STDIN_FILENO) : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  const std::string name = standard_input ? "standard input" : path.string();
-  if (!file) return tl::unexpected(Error{fmt::format("{} cannot be read: {}.", name, reason(errno))});
+tl::expected<Stream, Error> open_stream(const fs::path& path) {
+  Stream stream(path == "-" ? stdin : std::fopen(path.c_str(), "rbe"));
+  if (!stream) return unreadable(path, errno);
+  return stream;
+}
 
+tl::expected<std::vector<std::uint8_t>, Error> read_rest(std::FILE* stream, const fs::path& path) {
+  constexpr std::size_t kChunk = std::size_t{1} << 20;
   std::vector<std::uint8_t> bytes;
-  const int error = read_all(file.get(), bytes);
-  if (error == EFBIG) {
-    return tl::unexpected(Error{fmt::format("{} is larger than {} MiB, the most that is read of a picture.",
-                                            name, kMaxFileBytes >> 20)});
+  while (bytes.size() <= kMaxFileBytes) {
+    const std::size_t size = bytes.size();
+    bytes.resize(size + kChunk);
+    errno = 0;
+    const std::size_t got = std::fread(bytes.data() + size, 1, kChunk, stream);
+    bytes.resize(size + got);
+    if (got == kChunk) continue;
+    if (std::ferror(stream) != 0) return unreadable(path, errno);
+    return bytes;
   }
-  if (error != 0) return tl::unexpected(Error{fmt::format("{} cannot be read: {}.", name, reason(error))});
-  return bytes;
+  return tl::unexpected(Error{fmt::format("{} is larger than {} MiB, the most that is read of a picture.",
+                                          name_of(path), kMaxFileBytes >> 20)});
+}
+
+tl::expected<std::vector<std::uint8_t>, Error> read_file(const fs::path& path) {
+  const auto stream = open_stream(path);
+  if (!stream) return tl::unexpected(stream.error());
+  return read_rest(stream->get(), path);
 }
 
 tl::expected<void, Error> write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -10,6 +12,21 @@
 #include "libdepixel/core/error.hpp"
 
 namespace depixel {
+
+/// A stream of the C library, closed at the end of its life, except for standard input.
+struct CloseStream {
+  void operator()(std::FILE* stream) const {
+    if (stream != stdin) std::fclose(stream);
+  }
+};
+using Stream = std::unique_ptr<std::FILE, CloseStream>;
+
+/// Opens a file for reading, or standard input where the path is "-".
+tl::expected<Stream, Error> open_stream(const std::filesystem::path& path);
+
+/// Reads what is left of a stream. Refuses more than kMaxFileBytes. \param path  named in errors.
+tl::expected<std::vector<std::uint8_t>, Error> read_rest(std::FILE* stream,
+                                                         const std::filesystem::path& path);
 
 /// Reads a file whole, or standard input where the path is "-". Refuses more than kMaxFileBytes.
 tl::expected<std::vector<std::uint8_t>, Error> read_file(const std::filesystem::path& path);

@@ -75,6 +75,11 @@ tl::expected<Picture, Error> GifReader::next() {
   return canvas_;
 }
 
+double GifReader::frame_seconds() const {
+  constexpr int kShortest = 2, kUsual = 10;  // as browsers do: shorter delays are not meant
+  return (control_.delay < kShortest ? kUsual : control_.delay) / 100.0;
+}
+
 bool GifReader::rewind() {
   cursor_->position = 0;
   gif_.reset(DGifOpen(cursor_.get(), &GifReader::feed, nullptr));
@@ -94,7 +99,7 @@ bool GifReader::skip_to_image(Control& control) {
     while (block != nullptr) {
       GraphicsControlBlock shown;
       if (code == GRAPHICS_EXT_FUNC_CODE && DGifExtensionToGCB(block[0], block + 1, &shown) != GIF_ERROR) {
-        control = {shown.TransparentColor, shown.DisposalMode};
+        control = {shown.TransparentColor, shown.DisposalMode, shown.DelayTime};
       }
       if (DGifGetExtensionNext(gif_.get(), &block) == GIF_ERROR) return false;
     }

@@ -23,6 +23,9 @@ class GifReader {
 
   int frame_count() const { return frame_count_; }
 
+  /// How long the frame that was read last is shown.
+  double frame_seconds() const;
+
   /// The next frame, to be asked for frame_count() times.
   tl::expected<Picture, Error> next();
 
@@ -40,6 +43,7 @@ class GifReader {
   struct Control {
     int transparent_index = -1;
     int disposal = 0;
+    int delay = 0;  ///< hundredths of a second
   };
 
   GifReader() = default;

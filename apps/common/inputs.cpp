@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using Files = std::vector<fs::path>;
 
 bool has_picture_ending(const fs::path& path) {
-  constexpr std::array<std::string_view, 5> kEndings{".png", ".bmp", ".jpg", ".jpeg", ".gif"};
+  constexpr std::array<std::string_view, 6> kEndings{".png", ".bmp", ".jpg", ".jpeg", ".gif", ".y4m"};
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "libdepixel/core/tolerances.hpp"
@@ -59,9 +60,10 @@ void blend(Rgba colour, float coverage, std::uint8_t* p) {
 
 }  // namespace
 
-Painter::Painter(const Lattice& source, const PictureView& target)
+Painter::Painter(const View& view, const PictureView& target)
     : target_(target),
-      scale_(float(target.width) / float(source.width()), float(target.height) / float(source.height())),
+      scale_(view.scale_x, view.scale_y),
+      offset_(view.origin_x * view.scale_x, view.origin_y * view.scale_y),
       length_scale_(std::sqrt(scale_.x * scale_.y)),
       coverage_(std::size_t(target.width) * target.height, 0.0f) {}
 
@@ -82,13 +84,23 @@ void Painter::paint_groups(std::span<const Shape> shapes) {
 }
 
 glm::vec2 Painter::to_target(glm::ivec2 subpixels) const {
-  return glm::vec2(subpixels) * (scale_ / float(kSubpixels));
+  return glm::vec2(subpixels) * (scale_ / float(kSubpixels)) - offset_;
+}
+
+bool Painter::is_near_target(glm::vec2 low, glm::vec2 high, float reach) const {
+  return low.x - reach < float(target_.width) && high.x + reach > 0 &&
+         low.y - reach < float(target_.height) && high.y + reach > 0;
 }
 
 void Painter::cover(const Stroke& stroke) {
   constexpr float kTolerance = 0.1f;  // output pixels
   const glm::vec2 p0 = to_target(stroke.p0), p1 = to_target(stroke.p1), p2 = to_target(stroke.p2),
                   p3 = to_target(stroke.p3);
+  const float half_width = stroke.width_px * length_scale_ / 2;
+  // The curve lies within the box of its points.
+  const glm::vec2 low = glm::min(glm::min(p0, p1), glm::min(p2, p3));
+  const glm::vec2 high = glm::max(glm::max(p0, p1), glm::max(p2, p3));
+  if (!is_near_target(low, high, half_width + 0.5f)) return;
   // A cubic strays from its chord by at most 6/8 of its larger second difference; n pieces divide that by n
   // squared.
   const float bend = std::max(glm::length(p0 - 2.0f * p1 + p2), glm::length(p1 - 2.0f * p2 + p3));
@@ -97,7 +109,7 @@ void Painter::cover(const Stroke& stroke) {
   for (int i = 1; i <= pieces; ++i) {
     const float t = float(i) / float(pieces), s = 1 - t;
     const glm::vec2 to = s * s * s * p0 + 3 * s * s * t * p1 + 3 * s * t * t * p2 + t * t * t * p3;
-    cover_line(from, to, stroke.width_px * length_scale_ / 2);
+    cover_line(from, to, half_width);
     from = to;
   }
 }
@@ -156,10 +168,14 @@ void Painter::blend_covered(Rgba colour) {
 
 void paint_stage(const StageDrawing& drawing, const PictureView& target) {
   if (target.width <= 0 || target.height <= 0) return;
-  const Lattice& lattice = drawing.fill.lattice;
+  paint_stage(drawing, View::fit(drawing.fill.lattice, target.width, target.height), target);
+}
+
+void paint_stage(const StageDrawing& drawing, const View& view, const PictureView& target) {
+  if (target.width <= 0 || target.height <= 0) return;
   CpuRaster raster;
-  raster.draw(drawing.fill, View::fit(lattice, target.width, target.height), drawing.linear_light, 1, target);
-  Painter painter(lattice, target);
+  raster.draw(drawing.fill, view, drawing.linear_light, 1, target);
+  Painter painter(view, target);
   painter.paint(std::span<const Stroke>(drawing.strokes));
   painter.paint(std::span<const Circle>(drawing.circles));
 }

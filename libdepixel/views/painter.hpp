@@ -10,14 +10,15 @@ namespace depixel {
 /// distance-to-coverage rule common to GPU line drawing.
 class Painter {
  public:
-  /// \param source  the lattice that is stretched over the target.
-  Painter(const Lattice& source, const PictureView& target);
+  /// \param view  the part of the source that the target shows.
+  Painter(const View& view, const PictureView& target);
 
   void paint(std::span<const Stroke> strokes);
   void paint(std::span<const Circle> circles);
 
  private:
   glm::vec2 to_target(glm::ivec2 subpixels) const;
+  bool is_near_target(glm::vec2 low, glm::vec2 high, float reach) const;
   void cover(const Stroke& stroke);
   void cover(const Circle& circle);
   void cover_line(glm::vec2 a, glm::vec2 b, float half_width);
@@ -28,6 +29,7 @@ class Painter {
 
   PictureView target_;
   glm::vec2 scale_;              ///< output pixels to a source pixel
+  glm::vec2 offset_;             ///< output pixels from the source's origin to the target's top left
   float length_scale_;           ///< for widths and radii
   std::vector<float> coverage_;  ///< of each output pixel by the group that is being painted
   std::vector<int> covered_;     ///< pixels whose coverage is not zero

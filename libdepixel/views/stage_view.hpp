@@ -9,6 +9,7 @@
 #include "libdepixel/core/frame_view.hpp"
 #include "libdepixel/core/options.hpp"
 #include "libdepixel/pipeline/vectorizer.hpp"
+#include "libdepixel/raster/view.hpp"
 #include "libdepixel/stages/accurate_cells.hpp"
 
 namespace depixel {
@@ -68,5 +69,7 @@ std::string write_stage_svg(const StageDrawing& drawing);
 /// Paints a drawing over the whole target, stretched to fit it, anti-aliased and without seams between
 /// regions.
 void paint_stage(const StageDrawing& drawing, const PictureView& target);
+/// Paints the part of a drawing that a view shows; the whole one is painted alike by both.
+void paint_stage(const StageDrawing& drawing, const View& view, const PictureView& target);
 
 }  // namespace depixel

@@ -96,7 +96,7 @@ TEST(Painter, LevelLinesAreCoveredExactly) {
   Picture picture(20, 10, {255, 255, 255, 255});
   const glm::ivec2 from(0, 5 * kSubpixels / 2), to(20 * kSubpixels, 5 * kSubpixels / 2);
   const Stroke line{from, from, to, to, {0, 0, 0, 255}, 0.5f};
-  Painter(Lattice(20, 10), picture.target()).paint(std::span(&line, 1));
+  Painter(View{}, picture.target()).paint(std::span(&line, 1));
   for (int x = 0; x < picture.width; ++x) {
     EXPECT_EQ(picture.at(x, 1).r, 255);
     EXPECT_EQ(picture.at(x, 2).r, 128);  // half of the row, also where pieces of the line join
@@ -107,10 +107,27 @@ TEST(Painter, LevelLinesAreCoveredExactly) {
 TEST(Painter, DrawsOverTransparency) {
   Picture picture(9, 9);
   const Circle disc{glm::ivec2(9, 9) * (kSubpixels / 2), {10, 20, 30, 255}, 3.0f, 0};
-  Painter(Lattice(9, 9), picture.target()).paint(std::span(&disc, 1));
+  Painter(View{}, picture.target()).paint(std::span(&disc, 1));
   EXPECT_EQ(picture.at(4, 4), (Rgba{10, 20, 30, 255}));
   EXPECT_EQ(picture.at(0, 0), Rgba{});
   EXPECT_EQ(picture.at(4, 1).r, 10);  // the edge keeps its colour and fades in alpha
+}
+
+TEST(StageView, PartsAreCutFromTheWhole) {
+  constexpr int kScale = 8, kLeft = 13, kTop = 6;
+  const Picture in = sample();
+  for (const StageView view : all_views()) {
+    const StageDrawing drawing = make_stage_drawing(view, in.view(), {});
+    const Picture whole = painted(drawing, kScale);
+    Picture part(29, 23);
+    paint_stage(drawing, {kScale, kScale, double(kLeft) / kScale, double(kTop) / kScale}, part.target());
+    for (int y = 0; y < part.height; ++y) {
+      for (int x = 0; x < part.width; ++x) {
+        ASSERT_EQ(part.at(x, y), whole.at(x + kLeft, y + kTop))
+            << stage_view_names()[static_cast<int>(view)] << ' ' << x << ' ' << y;
+      }
+    }
+  }
 }
 
 TEST(StageView, RsvgDrawsEveryViewAsThePainterDoes) {
