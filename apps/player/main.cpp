@@ -46,12 +46,11 @@ class Session {
       const double passed = seconds_between(std::exchange(last, now), now);
       take_input();
       if (is_counting) {
-        if (!player_.show_next() && player_.frame() == nullptr) {
-          return tl::unexpected(Error{"There is no frame to show."});
-        }
+        if (shown > 0 || player_.frame() == nullptr) player_.show_next();
       } else {
         player_.advance(passed);
       }
+      if (player_.failure() && !arguments_.inputs.empty()) return tl::unexpected(*player_.failure());
       if (auto drawn = draw(); !drawn) return drawn;
       shown += player_.frame() != nullptr ? 1 : 0;
       const bool is_last = is_counting && shown == arguments_.frames;

@@ -62,6 +62,7 @@ tl::expected<void, Error> Player::open(const std::vector<std::string>& inputs) {
   playback_.set_speed(settings.play.speed);
   view.fit();
   exporter_.reset();
+  failure_.reset();
   if (inputs.front() != "-") {
     std::error_code ignored;
     const fs::path path = fs::absolute(inputs.front(), ignored);
@@ -102,15 +103,12 @@ void Player::advance(double seconds) {
   }
 }
 
-bool Player::show_next() {
-  if (!clip_) return false;
+void Player::show_next() {
+  if (!clip_) return;
   const Playback::Extent all = extent();
   const int next = frame_index_ + 1;
-  if (all.count && next >= *all.count && all.count <= 0) return false;
-  if (all.count && next >= *all.count && !playback_.loops()) return false;
-  playback_.seek(all.count && next >= *all.count ? all.first : next, all);
+  playback_.seek(all.count && next >= *all.count && playback_.loops() ? all.first : next, all);
   take_frame();
-  return true;
 }
 
 void Player::take_frame() {
@@ -121,6 +119,7 @@ void Player::take_frame() {
   if (!frame) {
     say(frame.error().message);
     playback_.pause();
+    if (!frame_) failure_ = frame.error();
     return;
   }
   changed_pixels_ = frame_ ? count_changed(frame_->picture, (*frame)->picture) : 0;

@@ -34,8 +34,11 @@ class Player {
 
   /// Lets time pass, and takes the frame that is due; goes on with an export.
   void advance(double seconds);
-  /// Shows the next frame, whatever its time is, if it has come. \return false once there are no more.
-  bool show_next();
+  /// Shows the next frame, whatever its time is, if it has come; after the last, the first of a clip that
+  /// loops.
+  void show_next();
+  /// Why there is not a single frame to show, if that is so.
+  const std::optional<Error>& failure() const { return failure_; }
 
   /// Draws what is under the panels. \param window  pixels.
   tl::expected<void, Error> draw(glm::ivec2 window);
@@ -92,6 +95,7 @@ class Player {
   std::uint64_t serial_ = 0;
   int changed_pixels_ = 0;
   ComponentFinder components_;
+  std::optional<Error> failure_;
   std::optional<Exporter> exporter_;
   std::string message_;
   double message_seconds_ = 0;  ///< that it is still shown

@@ -136,7 +136,10 @@ Json written(Part part) {
 
 template <typename Part>
 void read(const Json& file, const char* name, Part& part) {
-  if (const auto found = file.find(name); found != file.end()) visit(Reader{*found}, part);
+  const auto found = file.find(name);
+  if (found == file.end()) return;
+  if (!found->is_object()) throw std::out_of_range(name);
+  visit(Reader{*found}, part);
 }
 
 }  // namespace

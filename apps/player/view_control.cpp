@@ -9,6 +9,8 @@ namespace {
 
 /// Zooming by wheel multiplies often; a scale that near to a whole number is meant to be it.
 constexpr double kNearWhole = 1e-9;
+/// What rounding may take from a position, in output pixels.
+constexpr double kRounding = 1e-6;
 /// Pixels are not shown narrower or wider than this, whatever shape the picture has.
 constexpr double kMinFactor = 0.25, kMaxFactor = 4;
 
@@ -125,8 +127,9 @@ PixelRect ViewControl::placement() const {
   const glm::dvec2 scales(scale() * width_factor(), scale());
   const glm::dvec2 centre = fitted_ ? glm::dvec2(source_) / 2.0 : centre_;
   const glm::dvec2 corner = middle(area_) - centre * scales;
-  return {static_cast<int>(std::floor(corner.x)), static_cast<int>(std::floor(corner.y)),
-          std::max(1, rounded(source_.x * scales.x)), std::max(1, rounded(source_.y * scales.y))};
+  const auto floored = [](double value) { return static_cast<int>(std::floor(value + kRounding)); };
+  return {floored(corner.x), floored(corner.y), std::max(1, rounded(source_.x * scales.x)),
+          std::max(1, rounded(source_.y * scales.y))};
 }
 
 View ViewControl::view_of(const PixelRect& part) const {

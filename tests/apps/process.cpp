@@ -33,14 +33,15 @@ int wait_for(pid_t process) {
 
 }  // namespace
 
-Ended run_depixel(const std::vector<std::string>& arguments, std::string_view standard_input) {
+Ended run_program(const std::string& program, const std::vector<std::string>& arguments,
+                  std::string_view standard_input) {
   const TemporaryFolder streams;
   const std::string in = streams / "in", out = streams / "out", err = streams / "err";
   write_text(in, standard_input);
 
-  std::string program = DEPIXEL_PROGRAM;
-  std::vector<std::string> words = arguments;
-  std::vector<char*> argv{program.data()};
+  std::vector<std::string> words{program};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
 
@@ -51,7 +52,7 @@ Ended run_depixel(const std::vector<std::string>& arguments, std::string_view st
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), kCreate, 0600);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), kCreate, 0600);
   pid_t process = 0;
-  const int failed = ::posix_spawn(&process, program.c_str(), &actions, nullptr, argv.data(), environ);
+  const int failed = ::posix_spawnp(&process, program.c_str(), &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failed != 0) throw std::runtime_error("cannot start " + program);
 

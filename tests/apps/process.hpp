@@ -14,14 +14,21 @@ struct Ended {
 
   /// Whether standard error is what every error must be: one sentence on one line, with the program's name
   /// before it.
-  bool is_one_sentence() const {
-    return err.starts_with("depixel: ") && err.ends_with(".\n") && err.find('\n') == err.size() - 1;
+  bool is_one_sentence(std::string_view program = "depixel") const {
+    return err.starts_with(std::string(program) + ": ") && err.ends_with(".\n") &&
+           err.find('\n') == err.size() - 1;
   }
 };
 
-/// Runs depixel and waits for its end. One that hangs is killed after a minute.
+/// Runs a program, found along PATH, and waits for its end. One that hangs is killed after a minute.
 /// \param standard_input  what the process reads there.
-Ended run_depixel(const std::vector<std::string>& arguments, std::string_view standard_input = {});
+Ended run_program(const std::string& program, const std::vector<std::string>& arguments,
+                  std::string_view standard_input = {});
+
+/// Runs depixel.
+inline Ended run_depixel(const std::vector<std::string>& arguments, std::string_view standard_input = {}) {
+  return run_program(DEPIXEL_PROGRAM, arguments, standard_input);
+}
 
 /// A folder of its own for a test, removed with what is in it at the end.
 class TemporaryFolder {

@@ -1,0 +1,205 @@
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "libdepixel/views/stage_view.hpp"
+#include "tests/apps/pictures.hpp"
+#include "tests/apps/process.hpp"
+
+namespace depixel::test {
+namespace {
+
+constexpr std::string_view kName = "depixel-player";
+
+/// Runs the player on a display of its own.
+Ended run_player(std::vector<std::string> arguments, std::string_view standard_input = {}) {
+  arguments.insert(arguments.begin(), {"-a", "-s", "-screen 0 800x600x24", DEPIXEL_PLAYER, "--no-config"});
+  return run_program(DEPIXEL_XVFB_RUN, arguments, standard_input);
+}
+
+/// Runs a script on such a display; $player and $depixel are the programs.
+Ended run_script(const std::string& script, const std::string& folder) {
+  const std::string head = "set -e; cd '" + folder +
+                           "'; player='" DEPIXEL_PLAYER "'; depixel='" DEPIXEL_PROGRAM
+                           "'; await() { for i in $(seq 300); do [ -s \"$1\" ] && return; sleep 0.02; done; "
+                           "echo \"$1 does not come\"; exit 9; }; ";
+  return run_program(DEPIXEL_XVFB_RUN, {"-a", "-s", "-screen 0 800x600x24", "bash", "-c", head + script});
+}
+
+bool equal(const Picture& a, const Picture& b) {
+  if (a.width() != b.width() || a.height() != b.height() || a.pixel_count() == 0) return false;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) {
+      if (pixel(a, x, y) != pixel(b, x, y)) return false;
+    }
+  }
+  return true;
+}
+
+std::string y4m_of(int width, int height, const std::vector<std::uint8_t>& lumas) {
+  std::string stream =
+      "YUV4MPEG2 W" + std::to_string(width) + " H" + std::to_string(height) + " F60:1 Cmono\n";
+  for (const std::uint8_t luma : lumas) {
+    stream += "FRAME\n" + std::string(std::size_t(width * height), static_cast<char>(luma));
+  }
+  return stream;
+}
+
+TEST(Player, PlaysEveryKindOfSource) {
+  const TemporaryFolder folder;
+  const std::string png = png_of(sample_picture(16, 16)), y4m = y4m_of(16, 16, {235, 16, 235});
+  write_text(folder / "a_0.png", png);
+  write_text(folder / "a_1.png", png);
+  write_text(folder / "b.gif", gif_of({sample_picture(16, 16), plain_picture(16, 16, {20, 30, 60, 255})}));
+  write_text(folder / "c.y4m", y4m);
+  struct Source {
+    std::vector<std::string> arguments;
+    std::string standard_input;
+  };
+  const std::vector<Source> sources{{{folder / "a_0.png"}, ""},
+                                    {{folder / "a_0.png", folder / "c.y4m"}, ""},
+                                    {{folder / "a_%d.png"}, ""},
+                                    {{folder.path().string()}, ""},
+                                    {{folder / "b.gif"}, ""},
+                                    {{folder / "c.y4m"}, ""},
+                                    {{"-"}, y4m},
+                                    {{"-"}, png}};
+  for (const Source& source : sources) {
+    std::vector<std::string> arguments = source.arguments;
+    const std::string shot = folder / "shot.png";
+    arguments.insert(arguments.end(),
+                     {"--size", "320x320", "--hide-ui", "--frames", "3", "--screenshot", shot});
+    const Ended ended = run_player(arguments, source.standard_input);
+    EXPECT_EQ(ended.exit_code, 0) << source.arguments.front() << ended.err;
+    const Picture shown = decoded(read_text(shot));
+    ASSERT_EQ(shown.width(), 320);
+    std::set<int> reds;
+    for (int i = 0; i < 320; i += 16) reds.insert(pixel(shown, i + 8, i + 8).r);
+    EXPECT_TRUE(reds.size() > 1 || *reds.begin() == 255) << source.arguments.front() << *reds.begin();
+    std::filesystem::remove(shot);
+  }
+}
+
+TEST(Player, KeysShowTheStepsOfTheCommandLine) {
+  const TemporaryFolder folder;
+  write_text(folder / "in.png", png_of(sample_picture(20, 15)));
+  // Keys 0 to 9, each saved with c as in.png, in_2.png and so on, but for the input's name, which is taken.
+  const Ended ended = run_script(
+      "$player in.png --no-config --hide-ui --size 400x300 & "
+      "until xdotool search --onlyvisible --class depixel-player >/dev/null 2>&1; do sleep 0.02; done; sleep "
+      "0.3; "
+      "for key in 0 1 2 3 4 5 6 7 8 9; do xdotool key $key; sleep 0.15; xdotool key c; await in_$((key + "
+      "2)).png; done; "
+      "xdotool key q; wait",
+      folder.path().string());
+  ASSERT_EQ(ended.exit_code, 0) << ended.out << ended.err;
+  std::vector<Picture> shown;
+  for (int key = 0; key <= 9; ++key)
+    shown.push_back(decoded(read_text(folder / ("in_" + std::to_string(key + 2) + ".png"))));
+  for (int key = 0; key <= 8; ++key) {
+    const std::string name(stage_view_names()[static_cast<std::size_t>(key)]);
+    ASSERT_EQ(
+        run_depixel({folder / "in.png", "-o", folder / "stage.png", "--stage", name, "--size", "400x300"})
+            .exit_code,
+        0);
+    EXPECT_TRUE(equal(shown[key], decoded(read_text(folder / "stage.png")))) << name;
+    for (int other = 0; other < key; ++other) EXPECT_FALSE(equal(shown[key], shown[other])) << key << other;
+  }
+  EXPECT_TRUE(equal(shown[8], shown[9]));
+}
+
+TEST(Player, ScreenshotsEqualTheWindow) {
+  const TemporaryFolder folder;
+  write_text(folder / "in.png", png_of(sample_picture(20, 15)));
+  const Ended ended = run_script(
+      "$player in.png --no-config --size 800x600 & "
+      "until xdotool search --onlyvisible --class depixel-player >/dev/null 2>&1; do sleep 0.02; done; sleep "
+      "0.3; "
+      "xdotool key question; sleep 0.3; import -window root root.png; xdotool key question key s key Tab; "
+      "sleep 0.3; "
+      "import -window root split.png; xdotool key c; await in_2.png; xdotool key q; wait",
+      folder.path().string());
+  ASSERT_EQ(ended.exit_code, 0) << ended.out << ended.err;
+  const Picture window = decoded(read_text(folder / "split.png"));
+  EXPECT_TRUE(equal(decoded(read_text(folder / "in_2.png")), window));
+  EXPECT_FALSE(equal(decoded(read_text(folder / "root.png")), window));
+}
+
+TEST(Player, OptionsChangeThePicture) {
+  const TemporaryFolder folder;
+  write_text(folder / "in.png", png_of(sample_picture(20, 15)));
+  const auto shown = [&](const std::string& smoothing) {
+    const std::string shot = folder / (smoothing + ".png");
+    const Ended ended = run_player({folder / "in.png", "--hide-ui", "--size", "400x300", "--smoothing",
+                                    smoothing, "--frames", "1", "--screenshot", shot});
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    return decoded(read_text(shot));
+  };
+  EXPECT_FALSE(equal(shown("energy"), shown("none")));
+}
+
+TEST(Player, RemembersOptionsUnlessTheyAreDamaged) {
+  const TemporaryFolder folder;
+  write_text(folder / "in.png", png_of(sample_picture(20, 15)));
+  const Ended ended = run_script(
+      "export XDG_CONFIG_HOME=$PWD/config; see='in.png --hide-ui --size 400x300 --frames 1 --screenshot'; "
+      "$player $see default.png; $player $see none.png --smoothing none; $player $see again.png; "
+      "echo '{ damaged' > config/depixel/player.json; $player $see damaged.png 2>said.txt",
+      folder.path().string());
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  const auto shown = [&](const std::string& name) { return decoded(read_text(folder / name)); };
+  EXPECT_FALSE(equal(shown("default.png"), shown("none.png")));
+  EXPECT_TRUE(equal(shown("again.png"), shown("none.png")));
+  EXPECT_TRUE(equal(shown("damaged.png"), shown("default.png")));
+  const Ended said{0, "", read_text(folder / "said.txt")};
+  EXPECT_TRUE(said.is_one_sentence(kName)) << said.err;
+}
+
+TEST(Player, WritesVectorPicturesAndSequences) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "clip");
+  for (int i = 0; i < 3; ++i)
+    write_text(folder / ("clip/" + std::to_string(i) + ".png"), png_of(sample_picture(8, 8 + i)));
+  const Ended ended = run_script(
+      "$player clip --no-config --size 400x300 & "
+      "until xdotool search --onlyvisible --class depixel-player >/dev/null 2>&1; do sleep 0.02; done; sleep "
+      "0.3; "
+      "xdotool key space key Home key w; await 0.svg; xdotool key e; await clip_depixel/2.png; sleep 0.1; "
+      "xdotool key q; wait",
+      folder.path().string());
+  ASSERT_EQ(ended.exit_code, 0) << ended.out << ended.err;
+  EXPECT_EQ(folder.names("clip_depixel"), (std::vector<std::string>{"0.png", "1.png", "2.png"}));
+  EXPECT_NE(read_text(folder / "0.svg").find("viewBox=\"0 0 8 8\""), std::string::npos);
+}
+
+TEST(Player, SaysWhatIsWrongInOneSentence) {
+  const TemporaryFolder folder;
+  write_text(folder / "bad.png", "no picture");
+  write_text(folder / "good.png", png_of(sample_picture(8, 8)));
+  for (const std::string& source : {folder / "bad.png", folder / "absent.png"}) {
+    const Ended ended = run_player({source});
+    EXPECT_EQ(ended.exit_code, 1) << source;
+    EXPECT_TRUE(ended.is_one_sentence(kName)) << ended.err;
+  }
+  const Ended cut = run_player({"-", "--frames", "2"}, "YUV4MPEG2 W4 H4 Cmono\nFRAME\nabc");
+  EXPECT_EQ(cut.exit_code, 1);
+  EXPECT_TRUE(cut.is_one_sentence(kName)) << cut.err;
+
+  const Ended usage = run_player({"--no-such-flag"});
+  EXPECT_EQ(usage.exit_code, 2);
+  EXPECT_TRUE(usage.is_one_sentence(kName)) << usage.err;
+
+  const Ended no_display = run_program(
+      "env", {"-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", DEPIXEL_PLAYER, "--no-config", folder / "good.png"});
+  EXPECT_EQ(no_display.exit_code, 1);
+  EXPECT_TRUE(no_display.is_one_sentence(kName)) << no_display.err;
+
+  const Ended old =
+      run_script("MESA_GL_VERSION_OVERRIDE=2.1 $player --no-config good.png", folder.path().string());
+  EXPECT_EQ(old.exit_code, 1);
+  EXPECT_TRUE(old.is_one_sentence(kName)) << old.err;
+}
+
+}  // namespace
+}  // namespace depixel::test
