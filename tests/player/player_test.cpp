@@ -20,10 +20,14 @@ Ended run_player(std::vector<std::string> arguments, std::string_view standard_i
 
 /// Runs a script on such a display; $player and $depixel are the programs.
 Ended run_script(const std::string& script, const std::string& folder) {
-  const std::string head = "set -e; cd '" + folder +
-                           "'; player='" DEPIXEL_PLAYER "'; depixel='" DEPIXEL_PROGRAM
-                           "'; await() { for i in $(seq 300); do [ -s \"$1\" ] && return; sleep 0.02; done; "
-                           "echo \"$1 does not come\"; exit 9; }; ";
+  const std::string head =
+      "set -e; cd '" + folder +
+      "'; player='" DEPIXEL_PLAYER "'; depixel='" DEPIXEL_PROGRAM
+      "'; await() { for i in $(seq 300); do [ -s \"$1\" ] && return; sleep 0.02; done; "
+      "echo \"$1 does not come\"; exit 9; }; "
+      // Starts the player and waits until keys go to its window, which has drawn something.
+      "start() { $player \"$@\" & until id=$(xdotool search --onlyvisible --class depixel-player); "
+      "do sleep 0.02; done; xdotool windowfocus --sync $id; sleep 0.3; }; ";
   return run_program(DEPIXEL_XVFB_RUN, {"-a", "-s", "-screen 0 800x600x24", "bash", "-c", head + script});
 }
 
@@ -86,12 +90,8 @@ TEST(Player, KeysShowTheStepsOfTheCommandLine) {
   write_text(folder / "in.png", png_of(sample_picture(20, 15)));
   // Keys 0 to 9, each saved with c as in.png, in_2.png and so on, but for the input's name, which is taken.
   const Ended ended = run_script(
-      "$player in.png --no-config --hide-ui --size 400x300 & "
-      "until xdotool search --onlyvisible --class depixel-player >/dev/null 2>&1; do sleep 0.02; done; sleep "
-      "0.3; "
-      "for key in 0 1 2 3 4 5 6 7 8 9; do xdotool key $key; sleep 0.15; xdotool key c; await in_$((key + "
-      "2)).png; done; "
-      "xdotool key q; wait",
+      "start in.png --no-config --hide-ui --size 400x300; for key in 0 1 2 3 4 5 6 7 8 9; do xdotool key "
+      "$key; sleep 0.15; xdotool key c; await in_$((key + 2)).png; done; xdotool key q; wait",
       folder.path().string());
   ASSERT_EQ(ended.exit_code, 0) << ended.out << ended.err;
   std::vector<Picture> shown;
@@ -113,12 +113,9 @@ TEST(Player, ScreenshotsEqualTheWindow) {
   const TemporaryFolder folder;
   write_text(folder / "in.png", png_of(sample_picture(20, 15)));
   const Ended ended = run_script(
-      "$player in.png --no-config --size 800x600 & "
-      "until xdotool search --onlyvisible --class depixel-player >/dev/null 2>&1; do sleep 0.02; done; sleep "
-      "0.3; "
-      "xdotool key question; sleep 0.3; import -window root root.png; xdotool key question key s key Tab; "
-      "sleep 0.3; "
-      "import -window root split.png; xdotool key c; await in_2.png; xdotool key q; wait",
+      "start in.png --no-config --size 800x600; xdotool key question; sleep 0.3; import -window root "
+      "root.png; xdotool key question key s key Tab; sleep 0.3; import -window root split.png; xdotool key "
+      "c; await in_2.png; xdotool key q; wait",
       folder.path().string());
   ASSERT_EQ(ended.exit_code, 0) << ended.out << ended.err;
   const Picture window = decoded(read_text(folder / "split.png"));
@@ -144,8 +141,8 @@ TEST(Player, RemembersOptionsUnlessTheyAreDamaged) {
   write_text(folder / "in.png", png_of(sample_picture(20, 15)));
   const Ended ended = run_script(
       "export XDG_CONFIG_HOME=$PWD/config; see='in.png --hide-ui --size 400x300 --frames 1 --screenshot'; "
-      "$player $see default.png; $player $see none.png --smoothing none; $player $see again.png; "
-      "echo '{ damaged' > config/depixel/player.json; $player $see damaged.png 2>said.txt",
+      "$player $see default.png; $player $see none.png --smoothing none; $player $see again.png; echo '{ "
+      "damaged' > config/depixel/player.json; $player $see damaged.png 2>said.txt",
       folder.path().string());
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
   const auto shown = [&](const std::string& name) { return decoded(read_text(folder / name)); };
@@ -162,11 +159,8 @@ TEST(Player, WritesVectorPicturesAndSequences) {
   for (int i = 0; i < 3; ++i)
     write_text(folder / ("clip/" + std::to_string(i) + ".png"), png_of(sample_picture(8, 8 + i)));
   const Ended ended = run_script(
-      "$player clip --no-config --size 400x300 & "
-      "until xdotool search --onlyvisible --class depixel-player >/dev/null 2>&1; do sleep 0.02; done; sleep "
-      "0.3; "
-      "xdotool key space key Home key w; await 0.svg; xdotool key e; await clip_depixel/2.png; sleep 0.1; "
-      "xdotool key q; wait",
+      "start clip --no-config --size 400x300; xdotool key space key Home key w; await 0.svg; xdotool key e; "
+      "await clip_depixel/2.png; sleep 0.1; xdotool key q; wait",
       folder.path().string());
   ASSERT_EQ(ended.exit_code, 0) << ended.out << ended.err;
   EXPECT_EQ(folder.names("clip_depixel"), (std::vector<std::string>{"0.png", "1.png", "2.png"}));
