@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Builds depixel and draws the shipped frames and sprites, as PNG and as SVG, into out/demo.
+# Builds depixel and depixel-player, and draws the shipped frames and sprites, as PNG and as SVG, into out/demo.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 scripts/install_deps.sh
 cmake --preset release
-cmake --build --preset release --parallel "$(nproc)" --target depixel
+cmake --build --preset release --parallel "$(nproc)" --target depixel depixel-player
 
 depixel=build/release/bin/depixel
 for kind in frames sprites; do
@@ -17,3 +17,6 @@ done
 echo
 echo "The pictures are in $PWD/out/demo:"
 find out/demo -type f | sort | sed 's/^/  /'
+
+echo
+echo "To look at them in a window: $PWD/build/release/bin/depixel-player tests/data/frames"

@@ -6,9 +6,10 @@ packages=(
   g++ cmake make pkg-config git                                # building
   libglm-dev libexpected-dev libfmt-dev libcli11-dev           # everywhere; the command line
   libstb-dev libturbojpeg0-dev libgif-dev zlib1g-dev           # reading and writing pictures
-  python3-glad libgl-dev libegl-dev libosmesa6-dev libegl1 libgl1-mesa-dri  # OpenGL, also without a display
+  python3-glad libgl-dev libegl-dev libosmesa6-dev             # drawing by OpenGL
+  libegl1 libgl1-mesa-dri libglx-mesa0                         # ... also without a graphics card
   libglfw3-dev libimgui-dev                                    # the player
-  xvfb xauth xdotool x11-utils imagemagick ffmpeg              # its tests
+  xvfb xauth xdotool imagemagick                               # its tests
   libgtest-dev librapidcheck-dev libpugixml-dev librsvg2-bin   # tests
   libbenchmark-dev nlohmann-json3-dev                          # benchmarks
   libavfilter-dev libavutil-dev xbrzscale                      # what they compare with

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Makes the pictures of the README again, in docs/images: shipped sprites and a frame at 6x by nearest neighbour, by xbr
-# (2x, then 3x) and by depixel. Needs ffmpeg and imagemagick beside a release build.
+# (2x, then 3x) and by depixel; all steps; and the player's window. Needs ffmpeg, imagemagick and Xvfb beside a release
+# build.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -33,3 +34,10 @@ for stage in bitmap similarity cells simplified contours polygons curves smoothe
 done
 montage "$work"/{bitmap,similarity,cells,simplified,contours,polygons,curves,smoothed,components}.png \
   -tile 5x -geometry +2+2 -background white -colors 256 docs/images/stages.png
+
+# The player, with a split view.
+mkdir -p "$work/config/depixel"
+echo '{"look": {"split": true, "divider": 0.62}}' > "$work/config/depixel/player.json"
+XDG_CONFIG_HOME="$work/config" xvfb-run -a -s "-screen 0 1280x800x24" build/release/bin/depixel-player \
+  tests/data/frames/jumpnbump_0013.png --size 1180x720 --scale 4 --frames 60 --screenshot "$work/player.png"
+convert "$work/player.png" -colors 256 docs/images/player.png

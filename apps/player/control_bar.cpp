@@ -25,14 +25,15 @@ void show_buttons(Player& player) {
 
 void show_seek_bar(Player& player, float width) {
   const Playback::Extent extent = player.extent();
-  int index = player.playback().index();
+  int number = player.playback().index() + 1;  // people count from one
   const std::string format = !player.has_clip() ? "nothing open"
                              : extent.count     ? fmt::format("%d of {}", *extent.count)
                                                 : fmt::format("%d, {} have come", extent.arrived);
   ImGui::SetNextItemWidth(width);
   const int last = std::max(extent.first, extent.arrived - 1);
-  if (ImGui::SliderInt("##seek", &index, extent.first, last, format.c_str(), ImGuiSliderFlags_NoInput)) {
-    player.seek(index);
+  if (ImGui::SliderInt("##seek", &number, extent.first + 1, last + 1, format.c_str(),
+                       ImGuiSliderFlags_NoInput)) {
+    player.seek(number - 1);
   }
 }
 

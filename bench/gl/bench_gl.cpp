@@ -10,12 +10,15 @@
 #include "apps/common/option_flags.hpp"
 #include "bench/common/inputs.hpp"
 #include "bench/common/program.hpp"
+#include "bench/gl/gl_comparison.hpp"
 #include "bench/gl/gl_timing.hpp"
 
 namespace depixel::bench {
 namespace {
 
 constexpr double kWantedDraw = 6.0, kWantedDetailedDraw = 10.0, kWantedPrepare = 1.5;
+/// Differences from the processor's pictures, of 255 levels.
+constexpr double kWantedMean = 0.5, kWantedPixel = 4;
 /// Frames with more lines than this to a pixel are detailed, as those of 3-D games.
 constexpr double kDetailedLines = 1.5;
 
@@ -24,6 +27,7 @@ struct Settings {
   std::optional<ContextKind> context;
   std::optional<OutputSize> size;
   int every = 1;
+  bool compare = false;
   double seconds = 1.0, scale = 4.0;
 };
 
@@ -35,11 +39,23 @@ void run(const Settings& settings) {
   GlTimer timer(settings.context);
   auto inputs = settings.inputs;
   if (inputs.empty()) inputs.push_back(shipped_data() / "frames");
+  const auto files = list_pictures(inputs, settings.every);
+  if (settings.compare) {
+    fmt::print("{}\n", timer.renderer());
+    const GlComparison c = compare(timer, files);
+    fmt::print(
+        "{} views of {} frames: mean difference to the processor at most {:.3f}, wanted {}: {}; worst pixel "
+        "{}, "
+        "wanted {}: {}\n",
+        c.views, files.size(), c.worst_mean, kWantedMean, verdict(c.worst_mean, kWantedMean), c.worst_pixel,
+        kWantedPixel, verdict(c.worst_pixel, kWantedPixel));
+    return;
+  }
   fmt::print("{}\n{:<36} {:>11} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>8} {:>7}\n", timer.renderer(),
              "frame, ms", "output", "nearest", "draw", "ratio", "fps", "vector.", "prepare", "ratio",
              "lines/px", "MB sent");
   double worst_plain = 0, worst_detailed = 0, worst_prepare = 0;
-  for (const auto& file : list_pictures(inputs, settings.every)) {
+  for (const auto& file : files) {
     const Picture frame = read_picture(file);
     const int width = settings.size ? settings.size->width : int(std::lround(frame.width() * settings.scale));
     const int height =
@@ -71,7 +87,7 @@ void run(const Settings& settings) {
 
 void add_options(CLI::App& app, Settings& settings) {
   app.description(
-      "Times drawing by OpenGL without a display, nothing read back, against a textured quad without "
+      "Times drawing by OpenGL without a display, against a textured quad without "
       "smoothing; medians of "
       "runs taken in turns.");
   app.add_option("INPUT", settings.inputs,
@@ -83,6 +99,8 @@ void add_options(CLI::App& app, Settings& settings) {
   app.add_option("--scale", settings.scale, "output pixels to a pixel of the frame")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  app.add_flag("--compare", settings.compare,
+               "measure how far pictures are from the processor's, at several scales, instead of times");
   add_size_flag(app, "--size", settings.size, "output size, instead of a scale");
   add_choice_flag(app, "--context", "where OpenGL comes from; whichever can be had unless given",
                   context_kind_names(),

@@ -96,6 +96,11 @@ void GlTimer::draw_filtered(const FrameView& frame, int width, int height) {
   gl_.Finish();
 }
 
+void GlTimer::draw(const FrameView& frame, const View& view, Picture& picture) {
+  check(filter_->submit(frame, {}));
+  check(filter_->draw(picture.target(), {0, 0, picture.width(), picture.height()}, view));
+}
+
 GlTiming GlTimer::time(const FrameView& frame, int out_width, int out_height, double seconds) {
   constexpr int kMinRounds = 5;
   resize(out_width, out_height);

@@ -33,6 +33,9 @@ class GlTimer {
   GlTimer& operator=(const GlTimer&) = delete;
   ~GlTimer();
 
+  /// Draws a view to memory. \param picture  holds the result.
+  void draw(const FrameView& frame, const View& view, Picture& picture);
+
   const char* renderer() const { return reinterpret_cast<const char*>(gl_.GetString(GL_RENDERER)); }
 
   /// \param seconds  how long the frame is drawn over and over; nothing is read back.
