@@ -32,8 +32,14 @@ SplitParts split_parts(const PixelRect& visible, double divider) {
           {visible.x + left, visible.y, visible.width - left, visible.height}};
 }
 
-Canvas::Canvas(const GladGLContext& gl)
-    : gl_(gl), stage_texture_(gl), raw_texture_(gl), chequers_(gl), offscreen_(gl) {
+Canvas::Canvas(const GladGLContext& gl, std::unique_ptr<FrameFilter> filter, QuadPainter quads)
+    : gl_(gl),
+      filter_(std::move(filter)),
+      quads_(std::move(quads)),
+      stage_texture_(gl),
+      raw_texture_(gl),
+      chequers_(gl),
+      offscreen_(gl) {
   const std::array<Rgba, 4> pattern{kLightChequer, kDarkChequer, kDarkChequer, kLightChequer};
   chequers_.upload({reinterpret_cast<const std::uint8_t*>(pattern.data()), 2, 2, 8});
 }
@@ -43,10 +49,7 @@ tl::expected<std::unique_ptr<Canvas>, Error> Canvas::make(const GladGLContext& g
   if (!filter) return tl::unexpected(filter.error());
   auto quads = QuadPainter::make(gl);
   if (!quads) return tl::unexpected(quads.error());
-  std::unique_ptr<Canvas> canvas(new Canvas(gl));
-  canvas->filter_ = std::move(*filter);
-  canvas->quads_ = std::move(*quads);
-  return canvas;
+  return std::unique_ptr<Canvas>(new Canvas(gl, std::move(*filter), std::move(*quads)));
 }
 
 void Canvas::clear() {
@@ -95,7 +98,7 @@ tl::expected<void, Error> Canvas::draw_filter(const PixelRect& part, const View&
   offscreen_.resize({part.width, part.height});
   auto drawn = filter_->draw(GlFramebuffer{offscreen_.name()}, {0, 0, part.width, part.height}, view);
   // A framebuffer's first row is its lowest.
-  quads_->draw(offscreen_.texture(), {{0, 1}, {1, 0}}, part, window_height_, false);
+  quads_.draw(offscreen_.texture(), {{0, 1}, {1, 0}}, part, window_height_, false);
   return drawn;
 }
 
@@ -104,20 +107,20 @@ void Canvas::draw_stage(const PixelRect& part, const View& view, StageView stage
     stage_texture_.upload(stages_.picture().view());
   }
   stage_ns_ = stages_.paint_ns();
-  quads_->draw(stage_texture_, {}, part, window_height_, false);
+  quads_.draw(stage_texture_, {}, part, window_height_, false);
 }
 
 void Canvas::draw_raw(const PixelRect& part, const View& view, RawSampling sampling) {
   if (!std::exchange(raw_is_uploaded_, true)) raw_texture_.upload(frame_);
   const glm::dvec2 size(frame_.width, frame_.height), origin(view.origin_x, view.origin_y);
   const glm::dvec2 shown(part.width / view.scale_x, part.height / view.scale_y);
-  quads_->draw(raw_texture_, {origin / size, (origin + shown) / size}, part, window_height_,
-               sampling == RawSampling::bilinear);
+  quads_.draw(raw_texture_, {origin / size, (origin + shown) / size}, part, window_height_,
+              sampling == RawSampling::bilinear);
 }
 
 void Canvas::draw_chequers(const PixelRect& part) {
   const glm::dvec2 periods = glm::dvec2(part.width, part.height) / (2.0 * kChequerPx);
-  quads_->draw(chequers_, {{0, 0}, periods, /*repeats=*/true}, part, window_height_, false);
+  quads_.draw(chequers_, {{0, 0}, periods, /*repeats=*/true}, part, window_height_, false);
 }
 
 }  // namespace depixel

@@ -44,7 +44,7 @@ class Canvas {
   std::int64_t stage_paint_ns() const { return stage_ns_; }
 
  private:
-  explicit Canvas(const GladGLContext& gl);
+  Canvas(const GladGLContext& gl, std::unique_ptr<FrameFilter> filter, QuadPainter quads);
 
   tl::expected<void, Error> draw_filter(const PixelRect& part, const View& view);
   void draw_stage(const PixelRect& part, const View& view, StageView stage);
@@ -53,7 +53,7 @@ class Canvas {
 
   const GladGLContext& gl_;
   std::unique_ptr<FrameFilter> filter_;
-  std::unique_ptr<QuadPainter> quads_;
+  QuadPainter quads_;
   StagePainter stages_;
   Texture stage_texture_, raw_texture_, chequers_;
   TextureFramebuffer offscreen_;  ///< for pictures that something shines through

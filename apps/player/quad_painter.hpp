@@ -3,11 +3,11 @@
 #include <glad/gl.h>
 
 #include <glm/vec2.hpp>
-#include <memory>
 #include <tl/expected.hpp>
 
 #include "apps/player/texture.hpp"
 #include "apps/player/view_control.hpp"
+#include "filter/gl/gl_object.hpp"
 #include "libdepixel/core/error.hpp"
 
 namespace depixel {
@@ -21,10 +21,7 @@ struct TexturePart {
 /// Draws textures of straight alpha over rectangles of the window.
 class QuadPainter {
  public:
-  static tl::expected<std::unique_ptr<QuadPainter>, Error> make(const GladGLContext& gl);
-  QuadPainter(const QuadPainter&) = delete;
-  QuadPainter& operator=(const QuadPainter&) = delete;
-  ~QuadPainter();
+  static tl::expected<QuadPainter, Error> make(const GladGLContext& gl);
 
   /// \param target  in the window's framebuffer; y counts from the top.
   /// \param window_height  of that framebuffer.
@@ -33,12 +30,12 @@ class QuadPainter {
             bool smooth) const;
 
  private:
-  explicit QuadPainter(const GladGLContext& gl) : gl_(gl) {}
-  tl::expected<void, Error> link();
+  QuadPainter(const GladGLContext& gl, GlProgram program);
 
-  const GladGLContext& gl_;
-  unsigned program_ = 0, vertex_array_ = 0;
-  int part_location_ = -1;
+  const GladGLContext* gl_;
+  GlProgram program_;
+  GlVertexArray no_vertices_;
+  int part_location_;
 };
 
 }  // namespace depixel

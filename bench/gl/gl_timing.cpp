@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "bench/common/median.hpp"
+#include "filter/gl/gl_program.hpp"
 
 namespace depixel::bench {
 namespace {
 
 constexpr const char* kVertexShader =
-    "#version 330 core\n"
     "out vec2 place;\n"
     "void main() {\n"
     "  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);\n"
@@ -17,7 +17,6 @@ constexpr const char* kVertexShader =
     "  gl_Position = vec4(4.0 * corner - 1.0, 0.0, 1.0);\n"
     "}\n";
 constexpr const char* kFragmentShader =
-    "#version 330 core\n"
     "in vec2 place;\n"
     "uniform sampler2D frame;\n"
     "out vec4 colour;\n"
@@ -38,16 +37,9 @@ GlTimer::GlTimer(std::optional<ContextKind> kind) {
   if (!filter) throw std::runtime_error(filter.error().message);
   filter_ = std::move(*filter);
 
-  program_ = gl_.CreateProgram();
-  for (const auto& [kind_of_shader, source] :
-       {std::pair{GL_VERTEX_SHADER, kVertexShader}, {GL_FRAGMENT_SHADER, kFragmentShader}}) {
-    const GLuint shader = gl_.CreateShader(static_cast<GLenum>(kind_of_shader));
-    gl_.ShaderSource(shader, 1, &source, nullptr);
-    gl_.CompileShader(shader);
-    gl_.AttachShader(program_, shader);
-    gl_.DeleteShader(shader);
-  }
-  gl_.LinkProgram(program_);
+  auto program = link_program(gl_, kVertexShader, kFragmentShader);
+  if (!program) throw std::runtime_error(program.error().message);
+  program_ = std::move(*program);
   gl_.GenVertexArrays(1, &vertices_);
   gl_.GenTextures(1, &texture_);
   gl_.GenFramebuffers(1, &framebuffer_);
@@ -55,7 +47,6 @@ GlTimer::GlTimer(std::optional<ContextKind> kind) {
 }
 
 GlTimer::~GlTimer() {
-  gl_.DeleteProgram(program_);
   gl_.DeleteVertexArrays(1, &vertices_);
   gl_.DeleteTextures(1, &texture_);
   gl_.DeleteFramebuffers(1, &framebuffer_);
@@ -83,7 +74,7 @@ void GlTimer::upload(const FrameView& frame) {
 void GlTimer::draw_nearest(int width, int height) {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   gl_.Viewport(0, 0, width, height);
-  gl_.UseProgram(program_);
+  gl_.UseProgram(program_.name());
   gl_.BindVertexArray(vertices_);
   gl_.BindTexture(GL_TEXTURE_2D, texture_);
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);

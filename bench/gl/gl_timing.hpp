@@ -8,6 +8,7 @@
 #include "apps/headless/headless_context.hpp"
 #include "bench/common/picture.hpp"
 #include "filter/frame_filter.hpp"
+#include "filter/gl/gl_object.hpp"
 
 namespace depixel::bench {
 
@@ -50,7 +51,8 @@ class GlTimer {
   std::unique_ptr<HeadlessContext> context_;
   GladGLContext gl_{};
   std::unique_ptr<FrameFilter> filter_;
-  GLuint program_ = 0, vertices_ = 0, texture_ = 0, framebuffer_ = 0, colours_ = 0;
+  GlProgram program_;
+  GLuint vertices_ = 0, texture_ = 0, framebuffer_ = 0, colours_ = 0;
 };
 
 }  // namespace depixel::bench

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "libdepixel/core/options.hpp"
 #include "tests/apps/pictures.hpp"
 #include "tests/apps/process.hpp"
@@ -172,6 +175,44 @@ TEST_F(CommandLine, VerifyFailsWhereMergingRepaintsAPixel) {
   EXPECT_TRUE(run.is_one_sentence()) << run.err;
   EXPECT_NE(run.err.find("1 of 25 pixels"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("(2, 2)"), std::string::npos) << run.err;
+}
+
+TEST_F(CommandLine, DrawsByOpenGlAsByTheProcessor) {
+  const Ended cpu = run_depixel({in_, "-o", "-", "--scale", "4.5"});
+  ASSERT_EQ(cpu.exit_code, 0);
+  const Picture expected = decoded(cpu.out);
+  for (const std::vector<std::string>& context :
+       {std::vector<std::string>{}, {"--context", "egl"}, {"--context", "osmesa"}}) {
+    std::vector<std::string> arguments{in_, "-o", "-", "--scale", "4.5", "--backend", "gl"};
+    arguments.insert(arguments.end(), context.begin(), context.end());
+    const Ended gl = run_depixel(arguments);
+    ASSERT_EQ(gl.exit_code, 0) << gl.err;
+    const Picture actual = decoded(gl.out);
+    ASSERT_EQ(actual.width(), expected.width());
+    ASSERT_EQ(actual.height(), expected.height());
+    for (int y = 0; y < actual.height(); ++y) {
+      for (int x = 0; x < actual.width(); ++x) {
+        const Rgba a = pixel(actual, x, y), b = pixel(expected, x, y);
+        EXPECT_LE(std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)}), 4)
+            << x << ' ' << y;
+      }
+    }
+  }
+}
+
+TEST_F(CommandLine, RefusesContextsThatAreNotThere) {
+  const Ended needless = run_depixel({in_, "-o", out_, "--context", "egl"});
+  EXPECT_EQ(needless.exit_code, 2);
+  EXPECT_TRUE(needless.is_one_sentence()) << needless.err;
+  const Ended none = run_program("env", {"__EGL_VENDOR_LIBRARY_FILENAMES=/dev/null", DEPIXEL_PROGRAM, in_,
+                                         "-o", out_, "--backend", "gl", "--context", "egl"});
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_TRUE(none.is_one_sentence()) << none.err;
+  const Ended too_small =
+      run_depixel({in_, "-o", out_, "--backend", "gl", "--size", "1x1", "--scale", "0.01"});
+  EXPECT_EQ(too_small.exit_code, 2);
+  const Ended too_far = run_depixel({in_, "-o", out_, "--backend", "gl", "--size", "40x1"});
+  EXPECT_EQ(too_far.exit_code, 0);  // an eighth of a pixel a pixel
 }
 
 TEST_F(CommandLine, TellsStatsAsATable) {
