@@ -8,7 +8,7 @@ namespace {
 class CpuFilter final : public FrameFilter {
  public:
   tl::expected<void, Error> draw(const Target& target, const Viewport& viewport, const View& view) override {
-    if (const auto checked = check(target, viewport, view); !checked) return checked;
+    if (auto checked = check(target, viewport, view); !checked) return checked;
     const auto* picture = std::get_if<PictureView>(&target);
     if (picture == nullptr) {
       return tl::unexpected(Error{"The filter that draws by the processor draws to pictures only."});

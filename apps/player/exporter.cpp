@@ -60,7 +60,7 @@ tl::expected<bool, Error> Exporter::write_next(Clip& clip) {
     return tl::unexpected(drawn.error());
   }
   const auto png = encode_png(picture_.view());
-  if (auto saved = write_file(folder_ / ((*frame)->name + ".png"), png); !saved)
+  if (auto saved = write_file(unused_path(folder_, (*frame)->name, ".png"), png); !saved)
     return tl::unexpected(saved.error());
   next_ = index + 1;
   ++written_;

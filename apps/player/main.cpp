@@ -70,8 +70,7 @@ class Session {
   void take_input() {
     const auto drops = window_.take_drops();
     if (!drops.empty()) {
-      std::vector<std::string> inputs;
-      for (const auto& path : drops) inputs.push_back(path.string());
+      const std::vector<std::string> inputs(drops.begin(), drops.end());
       if (auto opened = player_.open(inputs); !opened) player_.say(opened.error().message);
     }
     for (const KeyPress& press : window_.take_keys()) handle_key(press, player_);

@@ -51,4 +51,12 @@ void Playback::advance(double seconds, const Extent& extent, const std::function
   }
 }
 
+std::optional<double> Playback::seconds_left(const Extent& extent,
+                                             const std::function<double(int)>& seconds_of) const {
+  const bool is_only_one = extent.count && *extent.count <= extent.first + 1;
+  if (!playing_ || is_only_one || extent.arrived <= extent.first) return std::nullopt;
+  const int index = std::clamp(index_, extent.first, extent.arrived - 1);
+  return std::max(0.0, (seconds_of(index) - shown_) / speed_);
+}
+
 }  // namespace depixel

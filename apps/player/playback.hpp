@@ -36,6 +36,9 @@ class Playback {
   void step(int by, const Extent& extent);
   /// Lets time pass. \param seconds_of  how long a frame is shown at speed 1.
   void advance(double seconds, const Extent& extent, const std::function<double(int)>& seconds_of);
+  /// Time until another frame is due; none while paused, or where there is no other.
+  std::optional<double> seconds_left(const Extent& extent,
+                                     const std::function<double(int)>& seconds_of) const;
 
  private:
   bool playing_ = true, loops_ = true;

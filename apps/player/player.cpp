@@ -86,10 +86,7 @@ void Player::advance(double seconds) {
   message_seconds_ -= seconds;
   if (message_seconds_ < 0) message_.clear();
   if (!clip_) return;
-  playback_.advance(seconds, extent(), [&](int index) {
-    const auto frame = clip_->has_frame(index) ? clip_->frame(index) : tl::unexpected(Error{});
-    return frame ? (*frame)->seconds : 1.0 / 60;
-  });
+  playback_.advance(seconds, extent(), [this](int index) { return seconds_of(index); });
   take_frame();
   if (exporter_) {
     const auto more = exporter_->write_next(*clip_);
@@ -101,6 +98,21 @@ void Player::advance(double seconds) {
       exporter_.reset();
     }
   }
+}
+
+double Player::seconds_left() const {
+  constexpr double kIdle = 0.5, kPolling = 0.004;  // the latter where the next frame of a stream is late
+  const double message = message_.empty() ? kIdle : message_seconds_;
+  const bool is_waiting = clip_ && !frame_;
+  if (is_waiting || !clip_) return std::clamp(is_waiting ? kPolling : message, kPolling, kIdle);
+  const auto frame = playback_.seconds_left(extent(), [this](int index) { return seconds_of(index); });
+  const bool is_late = frame && *frame <= 0;
+  return is_late ? kPolling : std::clamp(std::min(message, frame.value_or(kIdle)), 0.0, kIdle);
+}
+
+double Player::seconds_of(int index) const {
+  const auto frame = clip_->has_frame(index) ? clip_->frame(index) : tl::unexpected(Error{});
+  return frame ? (*frame)->seconds : 1.0 / 60;
 }
 
 void Player::show_next() {
@@ -124,7 +136,7 @@ void Player::take_frame() {
   }
   changed_pixels_ = frame_ ? count_changed(frame_->picture, (*frame)->picture) : 0;
   frame_ = std::move(*frame);
-  view.set_source({frame_->picture.width(), frame_->picture.height()});
+  view.set_source({frame_->picture.width(), frame_->picture.height()}, clip_->pixel_aspect().value_or(1));
   ++serial_;
 }
 

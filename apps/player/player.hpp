@@ -34,6 +34,8 @@ class Player {
 
   /// Lets time pass, and takes the frame that is due; goes on with an export.
   void advance(double seconds);
+  /// How long nothing changes of itself.
+  double seconds_left() const;
   /// Shows the next frame, whatever its time is, if it has come; after the last, the first of a clip that
   /// loops.
   void show_next();
@@ -68,6 +70,7 @@ class Player {
 
   // What the window is to do, asked for by keys and buttons, and done by its loop.
   bool wants_quit = false, wants_fullscreen = false, wants_screenshot = false;
+  bool is_fullscreen = false;  ///< told by the window's loop
   bool shows_help = false, shows_open = false;
 
   /// Tells something for a while.
@@ -75,6 +78,8 @@ class Player {
   const std::string& message() const { return message_; }
 
   const ClipFrame* frame() const { return frame_.get(); }
+  /// Another one for every other frame.
+  std::uint64_t serial() const { return serial_; }
   int changed_pixels() const { return changed_pixels_; }
   const Canvas& canvas() const { return *canvas_; }
   FrameHistory history;
@@ -85,6 +90,7 @@ class Player {
 
  private:
   void take_frame();
+  double seconds_of(int index) const;
 
   std::unique_ptr<Canvas> canvas_;
   std::unique_ptr<Clip> clip_;

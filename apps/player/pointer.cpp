@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <span>
+#include <string>
 
 #include "libdepixel/core/tolerances.hpp"
 
@@ -17,6 +20,89 @@ constexpr ImU32 kOutlineColour = IM_COL32(255, 210, 60, 255), kDividerColour = I
 double divider_position(const Player& player) {
   const PixelRect visible = player.view.visible();
   return split_parts(visible, player.settings.look.divider).right.x;
+}
+
+/// Draws loops upon the picture, as far as they are visible.
+class OutlinePen {
+ public:
+  OutlinePen(const ViewControl& control, double pixel_ratio)
+      : all_(control.placement()), view_(control.view_of(all_)), pixel_ratio_(pixel_ratio) {
+    const PixelRect visible = control.visible();
+    low_ = in_units({visible.x, visible.y});
+    high_ = in_units({visible.x + visible.width, visible.y + visible.height});
+    // Between its ends a piece bends by a part of a source pixel; lines must grow as the root of the scale.
+    lines_ = std::clamp(static_cast<int>(std::ceil(std::sqrt(view_.scale_y))), 1, kMostLines);
+  }
+
+  void draw(std::span<const OutlinePiece> loop) {
+    list_.PushClipRect(low_, high_);
+    ImVec2 from = on_screen(loop.back().p3);
+    int pieces = 0;
+    for (const OutlinePiece& piece : loop) {
+      const ImVec2 p1 = on_screen(piece.p1), p2 = on_screen(piece.p2), p3 = on_screen(piece.p3);
+      const bool is_drawn = is_visible({from, p1, p2, p3});
+      if (pieces > 0 && (!is_drawn || pieces == kPiecesAStroke)) {
+        stroke();
+        pieces = 0;
+      }
+      if (is_drawn) {
+        if (pieces++ == 0) list_.PathLineTo(from);
+        list_.PathBezierCubicCurveTo(p1, p2, p3, lines_);
+      }
+      from = p3;
+    }
+    if (pieces > 0) stroke();
+    list_.PopClipRect();
+  }
+
+ private:
+  static constexpr int kMostLines = 16;
+  /// ImGui counts the points of a stroke with 16 bits: at most four times as many as there are lines.
+  static constexpr int kPiecesAStroke = 65536 / 4 / kMostLines / 2;
+  static constexpr float kWidth = 2;
+
+  void stroke() { list_.PathStroke(kOutlineColour, 0, kWidth); }
+
+  ImVec2 in_units(glm::dvec2 pixels) const {
+    return {static_cast<float>(pixels.x / pixel_ratio_), static_cast<float>(pixels.y / pixel_ratio_)};
+  }
+  ImVec2 on_screen(glm::ivec2 subpixels) const {
+    return in_units(glm::dvec2(all_.x, all_.y) +
+                    glm::dvec2(subpixels) / double(kSubpixels) * glm::dvec2(view_.scale_x, view_.scale_y));
+  }
+  bool is_visible(std::initializer_list<ImVec2> points) const {
+    const auto [left, right] = std::ranges::minmax(points, {}, &ImVec2::x);
+    const auto [top, bottom] = std::ranges::minmax(points, {}, &ImVec2::y);
+    return left.x - kWidth < high_.x && right.x + kWidth > low_.x && top.y - kWidth < high_.y &&
+           bottom.y + kWidth > low_.y;
+  }
+
+  PixelRect all_;
+  View view_;
+  double pixel_ratio_;
+  ImVec2 low_, high_;
+  int lines_;
+  ImDrawList& list_ = *ImGui::GetBackgroundDrawList();
+};
+
+void draw_outlines(const Player& player, int component, double pixel_ratio) {
+  OutlinePen pen(player.view, pixel_ratio);
+  for (const OutlineLoop& loop : player.components().loops(component)) {
+    pen.draw(player.components().pieces(loop));
+  }
+}
+
+void show_tooltip(const FoundComponent& found) {
+  const Rgba c = found.colour;
+  const std::string alpha = c.a == 255 ? "" : fmt::format(", alpha {}", c.a);
+  ImGui::BeginTooltip();
+  ImGui::ColorButton("##colour", ImVec4(c.r / 255.0f, c.g / 255.0f, c.b / 255.0f, c.a / 255.0f),
+                     ImGuiColorEditFlags_AlphaPreview, {16, 16});
+  ImGui::SameLine();
+  ImGui::TextUnformatted(fmt::format("#{:02x}{:02x}{:02x}{}\n{} pixel{}", c.r, c.g, c.b, alpha, found.size_px,
+                                     found.size_px == 1 ? "" : "s")
+                             .c_str());
+  ImGui::EndTooltip();
 }
 
 }  // namespace
@@ -63,36 +149,8 @@ void Pointer::show_component(Player& player, glm::dvec2 position, double pixel_r
   }
   const auto found = player.component_at(player.view.source_at(position));
   if (!found) return;
-  const PixelRect all = player.view.placement();
-  const View view = player.view.view_of(all);
-  const auto on_screen = [&](glm::ivec2 p) {
-    const glm::dvec2 output = glm::dvec2(all.x, all.y) +
-                              glm::dvec2(p) / double(kSubpixels) * glm::dvec2(view.scale_x, view.scale_y);
-    return ImVec2(static_cast<float>(output.x / pixel_ratio), static_cast<float>(output.y / pixel_ratio));
-  };
-  const auto unit = [&](int pixels) { return static_cast<float>(pixels / pixel_ratio); };
-  ImDrawList* lines = ImGui::GetBackgroundDrawList();
-  lines->PushClipRect({unit(visible.x), unit(visible.y)},
-                      {unit(visible.x + visible.width), unit(visible.y + visible.height)});
-  for (const OutlineLoop& loop : player.components().loops(found->index)) {
-    const auto pieces = player.components().pieces(loop);
-    lines->PathLineTo(on_screen(pieces.back().p3));
-    for (const OutlinePiece& piece : pieces) {
-      lines->PathBezierCubicCurveTo(on_screen(piece.p1), on_screen(piece.p2), on_screen(piece.p3), 6);
-    }
-    lines->PathStroke(kOutlineColour, 0, 2);
-  }
-  lines->PopClipRect();
-  const Rgba c = found->colour;
-  const std::string alpha = c.a == 255 ? "" : fmt::format(", alpha {}", c.a);
-  ImGui::BeginTooltip();
-  ImGui::ColorButton("##colour", ImVec4(c.r / 255.0f, c.g / 255.0f, c.b / 255.0f, c.a / 255.0f),
-                     ImGuiColorEditFlags_AlphaPreview, {16, 16});
-  ImGui::SameLine();
-  ImGui::TextUnformatted(fmt::format("#{:02x}{:02x}{:02x}{}\n{} pixel{}", c.r, c.g, c.b, alpha,
-                                     found->size_px, found->size_px == 1 ? "" : "s")
-                             .c_str());
-  ImGui::EndTooltip();
+  draw_outlines(player, found->index, pixel_ratio);
+  show_tooltip(*found);
 }
 
 }  // namespace depixel

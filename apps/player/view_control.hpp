@@ -9,7 +9,7 @@ namespace depixel {
 
 /// How wide a source pixel is shown.
 enum class PixelAspect {
-  square,
+  square,          ///< or as the source says
   eight_sevenths,  ///< 8:7, as televisions showed consoles of 256 pixels a line
   picture_4_3      ///< whatever makes the whole picture 4:3
 };
@@ -37,7 +37,8 @@ class ViewControl {
   static constexpr double kMaxShownSide = 1 << 21;
 
   void set_area(const PixelRect& area) { area_ = area; }
-  void set_source(glm::ivec2 size);
+  /// \param aspect  a pixel's width over its height, for PixelAspect::square.
+  void set_source(glm::ivec2 size, double aspect = 1);
   void set_aspect(PixelAspect aspect);
   /// Whole scales only: fitting rounds down, zooming goes from one to the next.
   void set_whole(bool whole);
@@ -74,6 +75,7 @@ class ViewControl {
 
   PixelRect area_;
   glm::ivec2 source_{0, 0};
+  double source_aspect_ = 1;
   PixelAspect aspect_ = PixelAspect::square;
   bool whole_ = false;
   bool fitted_ = true;

@@ -59,8 +59,8 @@ TEST_F(MixedClip, CountsAndNamesItsFrames) {
 
 TEST_F(MixedClip, SeeksAsIfReadInOrder) {
   const auto in_order = open(Clip::kBudgetBytes);
-  std::vector<std::shared_ptr<const ClipFrame>> expected;
-  for (int i = 0; i < 9; ++i) expected.push_back(in_order->frame(i).value());
+  std::vector<std::shared_ptr<const ClipFrame>> expected(9);
+  for (int i = 0; i < 9; ++i) expected[i] = in_order->frame(i).value();
   for (const std::size_t budget : {std::size_t{0}, std::size_t{200}, Clip::kBudgetBytes}) {
     const auto clip = open(budget);
     for (const int index : {8, 0, 5, 4, 7, 2, 3, 2, 8, 1, 6, 6, 0}) {

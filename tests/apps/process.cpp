@@ -41,9 +41,8 @@ Ended run_program(const std::string& program, const std::vector<std::string>& ar
 
   std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
+  std::vector<char*> argv(words.size() + 1);  // the last is null
+  std::transform(words.begin(), words.end(), argv.begin(), [](std::string& word) { return word.data(); });
 
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);

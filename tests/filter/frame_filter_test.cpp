@@ -200,9 +200,9 @@ TEST(GlFilter, NeedsAContext) {
 }
 
 TEST(GlFilter, RefusesOldContexts) {
-  static const auto old_version = [](GLenum) { return reinterpret_cast<const GLubyte*>("2.1 Old"); };
+  static constexpr auto kOldVersion = [](GLenum) { return reinterpret_cast<const GLubyte*>("2.1 Old"); };
   const auto loader = [](const char* name) -> GlFunction {
-    const GLubyte* (*get_string)(GLenum) = old_version;
+    const GLubyte* (*get_string)(GLenum) = kOldVersion;
     return std::string_view(name) == "glGetString" ? reinterpret_cast<GlFunction>(get_string) : nullptr;
   };
   const auto filter = FrameFilter::gl(loader);

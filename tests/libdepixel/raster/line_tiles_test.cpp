@@ -76,7 +76,7 @@ RC_GTEST_PROP(LineTiles, CentresHaveTheirColour, ()) {
     for (int x = 0; x < picture.width; ++x) {
       const Tile& tile = tiles.tiles()[std::size_t(y) * tiles.width() + x];
       const Rgba c = normalized(picture.at(x, y));
-      const Sum found = colour_at(tiles, tile, kTileUnits / 2 + 0.5, kTileUnits / 2 + 0.5);
+      const Sum found = colour_at(tiles, tile, 0.5 * kTileUnits + 0.5, 0.5 * kTileUnits + 0.5);
       RC_ASSERT(found[3] == 128 * c.a);
       if (c.a == 255) RC_ASSERT((found == Sum{128 * c.r, 128 * c.g, 128 * c.b, 128 * 255}));
     }
