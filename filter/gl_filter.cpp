@@ -88,7 +88,7 @@ class GlFilter final : public FrameFilter {
     const Stopwatch time(stats_.draw_ns);
     const auto* picture = std::get_if<PictureView>(&target);
     auto drawn = picture != nullptr ? draw_to_picture(*picture, viewport, view)
-                                          : draw_to(std::get<GlFramebuffer>(target), viewport, view);
+                                    : draw_to(std::get<GlFramebuffer>(target), viewport, view);
     if (!drawn) return drawn;
     if (auto error = take_error(gl_)) return tl::unexpected(*error);
     return {};

@@ -41,7 +41,7 @@ void show_seek_bar(Player& player, float width) {
 
 void show_control_bar(Player& player) {
   const ImVec2 window = ImGui::GetIO().DisplaySize;
-  const float width = window.x - kPanelWidth;
+  const float width = window.x;
   ImGui::SetNextWindowPos({0, window.y - kBarHeight});
   ImGui::SetNextWindowSize({width, kBarHeight});
   ImGui::Begin("##bar", nullptr,

@@ -95,6 +95,8 @@ void toggle_help(Player& player) {
 }
 /// Closes what is open, one thing after the other.
 void escape(Player& player) {
+  const bool has_dialog = player.shows_help || player.shows_open || player.exporter() != nullptr;
+  player.wants_fullscreen = player.is_fullscreen && !has_dialog;
   player.shows_help = player.shows_open = false;
   player.cancel_export();
 }
@@ -142,7 +144,7 @@ constexpr std::array kBindings{
     KeyBinding{{0, GLFW_KEY_F11}, "F11", "", toggle_fullscreen},
     KeyBinding{{'?', 0}, "?", "these keys", toggle_help},
     KeyBinding{{0, GLFW_KEY_F1}, "F1", "", toggle_help},
-    KeyBinding{{0, GLFW_KEY_ESCAPE}, "Escape", "close, stop writing", escape},
+    KeyBinding{{0, GLFW_KEY_ESCAPE}, "Escape", "close, stop, leave fullscreen", escape},
     KeyBinding{{'q', 0}, "q", "quit", quit},
 };
 

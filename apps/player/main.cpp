@@ -1,10 +1,13 @@
 #include <fmt/core.h>
+#include <imgui.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
 #include <utility>
 
 #include "apps/common/encode_png.hpp"
@@ -38,10 +41,11 @@ class Session {
 
   tl::expected<void, Error> run() {
     int shown = 0;
-    for (auto last = Clock::now(); !window_.should_close();) {
+    auto last_drawn = Clock::now();
+    for (auto last = last_drawn; !window_.should_close();) {
       const bool is_counting = arguments_.frames > 0;
-      window_.wait_events(
-          is_counting || player_.playback().is_playing() || player_.exporter() != nullptr ? 0 : 0.1);
+      const bool is_busy = is_counting || settling_ > 0 || player_.exporter() != nullptr;
+      window_.wait_events(is_busy ? 0 : player_.seconds_left());
       const auto now = Clock::now();
       const double passed = seconds_between(std::exchange(last, now), now);
       take_input();
@@ -51,6 +55,7 @@ class Session {
         player_.advance(passed);
       }
       if (player_.failure() && !arguments_.inputs.empty()) return tl::unexpected(*player_.failure());
+      if (!must_draw() && !is_counting) continue;
       if (auto drawn = draw(); !drawn) return drawn;
       shown += player_.frame() != nullptr ? 1 : 0;
       const bool is_last = is_counting && shown == arguments_.frames;
@@ -60,24 +65,44 @@ class Session {
       }
       if (std::exchange(player_.wants_screenshot, false)) player_.save_picture(screenshot());
       window_.swap();
-      player_.history.add(1000 * seconds_between(now, Clock::now()), 1000 * passed);
+      player_.history.add(1000 * seconds_between(now, Clock::now()),
+                          1000 * seconds_between(std::exchange(last_drawn, now), now));
       if (is_last || player_.wants_quit) window_.close();
     }
     return {};
   }
 
  private:
+  struct Seen {
+    std::uint64_t serial = 0;
+    std::string message;
+    friend bool operator==(const Seen&, const Seen&) = default;
+  };
+
   void take_input() {
     const auto drops = window_.take_drops();
     if (!drops.empty()) {
       const std::vector<std::string> inputs(drops.begin(), drops.end());
       if (auto opened = player_.open(inputs); !opened) player_.say(opened.error().message);
     }
-    for (const KeyPress& press : window_.take_keys()) handle_key(press, player_);
+    for (const KeyPress& press : window_.take_keys()) {
+      const bool is_typing = ImGui::GetIO().WantTextInput;  // a number, into a slider
+      if (!is_typing) handle_key(press, player_);
+    }
     if (std::exchange(player_.wants_fullscreen, false)) window_.toggle_fullscreen();
+    player_.is_fullscreen = window_.is_fullscreen();
     const std::string title =
         player_.has_clip() ? fmt::format("{} - Depixel", player_.clip_name()) : "Depixel";
     if (title != title_) window_.set_title(title_ = title);
+  }
+
+  /// Whether anything changed since the window was drawn: a paused picture costs nothing.
+  bool must_draw() {
+    constexpr int kSettling = 3;  // what follows from input is seen in ImGui's next frames only
+    Seen now{player_.serial(), player_.message()};
+    if (std::exchange(seen_, now) != now || player_.exporter() != nullptr) settling_ = std::max(settling_, 1);
+    if (window_.had_events()) settling_ = kSettling;
+    return settling_ > 0 && settling_-- > 0;
   }
 
   tl::expected<void, Error> draw() {
@@ -126,6 +151,8 @@ class Session {
   Pointer pointer_;
   std::string title_;
   bool has_scale_ = false;
+  Seen seen_;
+  int settling_ = 1;  ///< times that the window is still to be drawn
 };
 
 void print_stats(const Player& player) {

@@ -150,7 +150,7 @@ PixelRect area_beside_panels(const LookSettings& look, glm::ivec2 window) {
 void show_side_panel(Player& player) {
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({window.x - kPanelWidth, 0});
-  ImGui::SetNextWindowSize({kPanelWidth, window.y});
+  ImGui::SetNextWindowSize({kPanelWidth, std::max(1.0f, window.y - kBarHeight)});
   constexpr auto kFlags = ImGuiWindowFlags_NoDecoration & ~ImGuiWindowFlags_NoScrollbar;
   ImGui::Begin("##panel", nullptr,
                kFlags | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |

@@ -33,7 +33,7 @@ PixelRect intersection(const PixelRect& a, const PixelRect& b) {
 double ViewControl::width_factor() const {
   switch (aspect_) {
     case PixelAspect::square:
-      return 1;
+      return std::clamp(source_aspect_, kMinFactor, kMaxFactor);
     case PixelAspect::eight_sevenths:
       return 8.0 / 7;
     case PixelAspect::picture_4_3:
@@ -59,8 +59,9 @@ double ViewControl::scale() const {
   return fitted_ ? fitting_scale() : scale_;
 }
 
-void ViewControl::set_source(glm::ivec2 size) {
+void ViewControl::set_source(glm::ivec2 size, double aspect) {
   source_ = size;
+  source_aspect_ = aspect;
   scale_ = allowed(scale_);
   keep_visible();
 }

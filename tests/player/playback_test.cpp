@@ -91,6 +91,18 @@ TEST(Playback, DoesNotMakeUpForLongPauses) {
   EXPECT_LE(playback.index(), 3);
 }
 
+TEST(Playback, TellsWhenTheNextFrameIsDue) {
+  Playback playback;
+  playback.set_speed(2);
+  playback.advance(0.02, kTen, tenth);
+  ASSERT_TRUE(playback.seconds_left(kTen, tenth));
+  EXPECT_NEAR(*playback.seconds_left(kTen, tenth), 0.03, 1e-9);
+  EXPECT_FALSE(playback.seconds_left({0, 1, 1}, tenth));  // nothing follows
+  EXPECT_TRUE(playback.seconds_left({0, 1, std::nullopt}, tenth));
+  playback.pause();
+  EXPECT_FALSE(playback.seconds_left(kTen, tenth));
+}
+
 TEST(Playback, FramesOfNoTimeDoNotHang) {
   Playback playback;
   playback.advance(0.1, kTen, [](int) { return 0.0; });

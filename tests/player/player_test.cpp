@@ -167,6 +167,20 @@ TEST(Player, WritesVectorPicturesAndSequences) {
   EXPECT_NE(read_text(folder / "0.svg").find("viewBox=\"0 0 8 8\""), std::string::npos);
 }
 
+TEST(Player, WritesNothingOver) {
+  const TemporaryFolder folder;
+  for (const char* clip : {"a", "b"}) {
+    std::filesystem::create_directory(folder / clip);
+    write_text(folder / (std::string(clip) + "/0.png"), png_of(sample_picture(8, 8)));
+  }
+  const Ended ended = run_script(
+      "start a/0.png b/0.png --no-config --size 400x300; xdotool key space key e; await 0_depixel/0_2.png; "
+      "xdotool key q; wait",
+      folder.path().string());
+  ASSERT_EQ(ended.exit_code, 0) << ended.out << ended.err;
+  EXPECT_EQ(folder.names("0_depixel"), (std::vector<std::string>{"0.png", "0_2.png"}));
+}
+
 TEST(Player, SaysWhatIsWrongInOneSentence) {
   const TemporaryFolder folder;
   write_text(folder / "bad.png", "no picture");

@@ -35,6 +35,14 @@ TEST(ViewControl, MakesPixelsAsWideAsAsked) {
   EXPECT_EQ(view.placement().width, 299);  // 224 * 4 / 3, rounded
 }
 
+TEST(ViewControl, FollowsTheSourcesAspectUnlessToldOtherwise) {
+  ViewControl view = control({100, 50}, 2000, 100);
+  view.set_source({100, 50}, 1.5);
+  EXPECT_EQ(view.placement().width, 300);
+  view.set_aspect(PixelAspect::eight_sevenths);
+  EXPECT_EQ(view.placement().width, 229);  // 200 * 8 / 7, rounded
+}
+
 TEST(ViewControl, ViewsAgreeWithThePlacement) {
   ViewControl view = control({100, 50}, 400, 400);
   view.zoom_about({10, 120}, 3.3);
