@@ -25,7 +25,7 @@ int wait_for(pid_t process) {
   const auto deadline = std::chrono::steady_clock::now() + kPatience;
   int status = 0;
   while (::waitpid(process, &status, WNOHANG) == 0) {
-    if (std::chrono::steady_clock::now() > deadline) ::kill(process, SIGKILL);
+    if (std::chrono::steady_clock::now() > deadline) ::kill(-process, SIGKILL);  // and what it started
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
@@ -50,9 +50,13 @@ Ended run_program(const std::string& program, const std::vector<std::string>& ar
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, in.c_str(), O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), kCreate, 0600);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), kCreate, 0600);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);  // a group of its own
   pid_t process = 0;
-  const int failed = ::posix_spawnp(&process, program.c_str(), &actions, nullptr, argv.data(), environ);
+  const int failed = ::posix_spawnp(&process, program.c_str(), &actions, &attributes, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
+  posix_spawnattr_destroy(&attributes);
   if (failed != 0) throw std::runtime_error("cannot start " + program);
 
   const int exit_code = wait_for(process);
