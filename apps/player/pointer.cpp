@@ -71,10 +71,13 @@ class OutlinePen {
                     glm::dvec2(subpixels) / double(kSubpixels) * glm::dvec2(view_.scale_x, view_.scale_y));
   }
   bool is_visible(std::initializer_list<ImVec2> points) const {
-    const auto [left, right] = std::ranges::minmax(points, {}, &ImVec2::x);
-    const auto [top, bottom] = std::ranges::minmax(points, {}, &ImVec2::y);
-    return left.x - kWidth < high_.x && right.x + kWidth > low_.x && top.y - kWidth < high_.y &&
-           bottom.y + kWidth > low_.y;
+    ImVec2 low = *points.begin(), high = low;
+    for (const ImVec2& p : points) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    return low.x - kWidth < high_.x && high.x + kWidth > low_.x && low.y - kWidth < high_.y &&
+           high.y + kWidth > low_.y;
   }
 
   PixelRect all_;
