@@ -52,19 +52,31 @@ void contours(benchmark::State& state, const Subject& subject) {
   while (state.KeepRunning()) trace_contours(subject.done.cells(), traced);
 }
 
-void splines(benchmark::State& state, const Subject& subject) {
-  SplineFitter fitter;
-  Splines fitted;
+void arcs(benchmark::State& state, const Subject& subject) {
+  std::vector<std::uint8_t> thin;
+  find_thin_pixels(subject.done.graph(), thin);
+  Arcs cut;
   const Vectorizer& done = subject.done;
   while (state.KeepRunning()) {
-    fitter.fit(done.graph(), done.cells(), done.contours(), kOptions.spline, kOptions.smoothing, fitted);
+    cut_arcs(done.cells(), done.contours(), thin, kOptions.spline, kOptions.smoothing, cut);
+  }
+}
+
+void splines(benchmark::State& state, const Subject& subject) {
+  SplineTable table;
+  Workers workers;
+  const Arcs& arcs = subject.done.arcs();
+  while (state.KeepRunning()) {
+    table.clear();
+    for (const Arc& arc : arcs.list) table.curves_of(arcs.words(arc), arc.kind);
+    table.fit_added(kOptions.smoothing, workers);
   }
 }
 
 void map(benchmark::State& state, const Subject& subject) {
   PlanarMap built;
   const Vectorizer& done = subject.done;
-  while (state.KeepRunning()) build_planar_map(done.cells(), done.contours(), done.splines(), built);
+  while (state.KeepRunning()) build_planar_map(done.edges(), done.table(), done.cells().colours, built);
 }
 
 void raster(benchmark::State& state, const Subject& subject) {
@@ -76,7 +88,8 @@ void raster(benchmark::State& state, const Subject& subject) {
 }
 
 void register_frame(const std::filesystem::path& file) {
-  const auto subject = std::make_shared<Subject>(Subject{read_picture(file), {}});
+  const auto subject = std::make_shared<Subject>();
+  subject->picture = read_picture(file);
   subject->done.vectorize(subject->picture.view(), kOptions);
   const std::string name = (file.parent_path().filename() / file.stem()).string();
   const auto add = [&](std::string_view stage, void (*run)(benchmark::State&, const Subject&)) {
@@ -88,6 +101,7 @@ void register_frame(const std::filesystem::path& file) {
   add("crossings", crossings);
   add("cells", cells);
   add("contours", contours);
+  add("arcs", arcs);
   add("splines", splines);
   add("map", map);
   add("raster", raster);

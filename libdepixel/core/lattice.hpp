@@ -23,12 +23,13 @@ constexpr std::array<glm::ivec2, 4> kStep{{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
 
 /// Index arithmetic shared by all stages.
 ///
-/// Pixels live in an array with kPad empty pixels on every side, so that 8x8 windows need no bounds checks.
-/// A lattice corner and the 2x2 block of pixels round it carry the index of the block's north-west pixel, so
-/// one index names a pixel, the corner at its south-east, and the block centred there.
+/// Pixels live in an array with kPad empty pixels on every side, so that 8x8 windows need no bounds checks,
+/// and vectors of sixteen bytes that are written beyond the end of a row do not reach the next. A lattice
+/// corner and the 2x2 block of pixels round it carry the index of the block's north-west pixel, so one index
+/// names a pixel, the corner at its south-east, and the block centred there.
 class Lattice {
  public:
-  static constexpr int kPad = 4;
+  static constexpr int kPad = 8;
 
   constexpr Lattice() = default;
   constexpr Lattice(int width, int height) : width_(width), height_(height) {}

@@ -1,65 +1,71 @@
 #include "libdepixel/pipeline/vectorizer.hpp"
 
-#include <chrono>
-
 namespace depixel {
-namespace {
-
-/// Measures the time since it was last asked.
-class Lap {
- public:
-  std::int64_t operator()() {
-    const auto now = std::chrono::steady_clock::now();
-    const auto ns = std::chrono::duration_cast<std::chrono::nanoseconds>(now - last_).count();
-    last_ = now;
-    return ns;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
-}  // namespace
 
 const PlanarMap& Vectorizer::vectorize(const FrameView& frame, const Options& options) {
   const bool merges = options.similarity == Similarity::merge || options.connect_lines;
-  Lap lap;
+  workers_.set_threads(options.threads);
+  StageClock clock(stats_);
 
   build_similarity_graph(frame, options.similarity, options.connect_lines, graph_);
-  stats_.stage_ns[0] = lap();
+  clock.finish(0);
 
   const CrossingVotes votes{options.curve_weight, options.sparse_weight, options.island_weight};
   stats_.crossings = resolve_crossings(graph_, votes, crossings_);
-  stats_.stage_ns[1] = lap();
+  clock.finish(1);
 
   if (merges) {
     label_components(graph_, components_);
     find_majority_colours(graph_, components_);
   }
   build_cell_graph(graph_, merges ? &components_ : nullptr, cells_);
-  stats_.stage_ns[2] = lap();
+  if (options.smoothing == Smoothing::energy) find_thin_pixels(graph_, thin_);
+  clock.finish(2);
 
   trace_contours(cells_, contours_);
-  stats_.stage_ns[3] = lap();
+  cut_arcs(cells_, contours_, thin_, options.spline, options.smoothing, arcs_);
+  clock.finish(3);
 
-  fitter_.fit(graph_, cells_, contours_, options.spline, options.smoothing, splines_);
-  stats_.stage_ns[4] = lap();
+  fit(options);
+  clock.finish(4);
 
-  build_planar_map(cells_, contours_, splines_, map_);
-  stats_.stage_ns[5] = lap();
+  build_planar_map(edges_, table_, cells_.colours, map_);
+  clock.finish(5);
 
   stats_.pixels = frame.width * frame.height;
   stats_.contours = static_cast<int>(contours_.list.size());
   stats_.nodes = static_cast<int>(contours_.corner.size());
+  stats_.arcs = static_cast<int>(arcs_.list.size());
   stats_.segments = static_cast<int>(map_.segments.size());
   stats_.memory_bytes = memory_bytes();
   return map_;
 }
 
+void Vectorizer::fit(const Options& options) {
+  const std::array<int, 4> step = cells_.lattice.step_offsets();
+  edges_.lattice = cells_.lattice;
+  edges_.curve.assign(2 * std::size_t(cells_.lattice.size()), 0);
+  table_.clear();
+  for (const Arc& arc : arcs_.list) {
+    for_each_edge(arcs_, arc, table_.curves_of(arcs_.words(arc), arc.kind), step,
+                  [&](int slot, int number) { edges_.curve[slot] = number; });
+  }
+  stats_.fitted_shapes = table_.fit_added(options.smoothing, workers_);
+  for (const Contour& contour : contours_.list) {
+    if (contour.closed) continue;
+    for (const int end : {contour.first, contour.first + contour.count - 1}) {
+      const int corner = contours_.corner[end];
+      if (!cells_.is_t_junction(corner)) continue;
+      const JoinedEdge joined = join_at(corner, cells_, edges_, table_);
+      edges_.curve[joined.slot] = joined.curve;
+    }
+  }
+}
+
 std::size_t Vectorizer::memory_bytes() const {
   return graph_.memory_bytes() + crossings_.memory_bytes() + components_.memory_bytes() +
-         cells_.memory_bytes() + contours_.memory_bytes() + fitter_.memory_bytes() + splines_.memory_bytes() +
-         map_.memory_bytes();
+         cells_.memory_bytes() + held_bytes(thin_) + contours_.memory_bytes() + arcs_.memory_bytes() +
+         table_.memory_bytes() + edges_.memory_bytes() + map_.memory_bytes();
 }
 
 }  // namespace depixel

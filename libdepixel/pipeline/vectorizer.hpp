@@ -1,18 +1,20 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <string_view>
 
 #include "libdepixel/core/options.hpp"
+#include "libdepixel/stages/arcs.hpp"
 #include "libdepixel/stages/cell_graph.hpp"
 #include "libdepixel/stages/components.hpp"
 #include "libdepixel/stages/contours.hpp"
 #include "libdepixel/stages/crossings.hpp"
+#include "libdepixel/stages/edge_map.hpp"
 #include "libdepixel/stages/planar_map.hpp"
 #include "libdepixel/stages/similarity_graph.hpp"
-#include "libdepixel/stages/smoothing.hpp"
-#include "libdepixel/stages/splines.hpp"
+#include "libdepixel/stages/spline_table.hpp"
 
 namespace depixel {
 
@@ -23,38 +25,58 @@ struct VectorizeStats {
                                                                      "contours",   "splines",   "map"};
   std::array<std::int64_t, kStages> stage_ns{};  ///< wall-clock nanoseconds
   int pixels = 0, crossings = 0, contours = 0, nodes = 0, segments = 0;
-  std::size_t memory_bytes = 0;  ///< held by all stages' arrays, between frames
+  int arcs = 0, fitted_shapes = 0;  ///< arcs whose shape was known already need no fitting
+  std::size_t memory_bytes = 0;     ///< held by all stages' arrays, between frames
 };
 
-/// Turns frames into planar maps, one after the other; buffers are kept, so that a warm vectorizer allocates
+/// Measures the stages of a frame, one after the other.
+class StageClock {
+ public:
+  explicit StageClock(VectorizeStats& stats) : stats_(stats) { stats_.stage_ns = {}; }
+  void finish(int stage) {
+    const auto now = std::chrono::steady_clock::now();
+    stats_.stage_ns[stage] += std::chrono::duration_cast<std::chrono::nanoseconds>(now - last_).count();
+    last_ = now;
+  }
+
+ private:
+  VectorizeStats& stats_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// Turns frames into planar maps, each from scratch; buffers are kept, so that a warm vectorizer allocates
 /// nothing. The arrays of every stage can be looked at until the next frame.
 class Vectorizer {
  public:
-  /// Runs all stages, in order, from scratch.
+  /// Runs all stages, in order.
   /// \param frame  at least 1x1 pixels; read during the call only.
-  /// \return the planar map, valid until the next call.
+  /// \return the planar map, valid until the next call. It does not depend on the number of threads.
   const PlanarMap& vectorize(const FrameView& frame, const Options& options);
 
   const SimilarityGraph& graph() const { return graph_; }  ///< resolved
-  const Components& components() const {
-    return components_;
-  }  ///< filled only when merging or connecting lines
+  const Components& components() const { return components_; }
   const CellGraph& cells() const { return cells_; }
   const Contours& contours() const { return contours_; }
-  const Splines& splines() const { return splines_; }
+  const Arcs& arcs() const { return arcs_; }
+  const SplineTable& table() const { return table_; }
+  const EdgeMap& edges() const { return edges_; }
   const PlanarMap& map() const { return map_; }
   const VectorizeStats& stats() const { return stats_; }
 
  private:
+  void fit(const Options& options);
   std::size_t memory_bytes() const;
 
+  Workers workers_;
   SimilarityGraph graph_;
   CrossingScratch crossings_;
-  Components components_;
+  Components components_;  ///< filled only when merging or connecting lines
   CellGraph cells_;
+  std::vector<std::uint8_t> thin_;
   Contours contours_;
-  SplineFitter fitter_;
-  Splines splines_;
+  Arcs arcs_;
+  SplineTable table_;
+  EdgeMap edges_;
   PlanarMap map_;
   VectorizeStats stats_;
 };

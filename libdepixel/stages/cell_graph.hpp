@@ -66,16 +66,31 @@ struct CellGraph {
   /// True where four visible edges meet in one point.
   bool is_junction_of_four(int corner) const { return corners[corner].is_junction_of_four(); }
 
+  /// Makes room for another size of picture; where it stays, so does all that the arrays hold.
+  void resize(const Lattice& size) {
+    if (lattice == size && !corners.empty()) return;
+    lattice = size;
+    corners.assign(size.size(), CornerCode{});
+    colours.assign(size.size(), Rgba{});
+  }
   std::size_t memory_bytes() const { return held_bytes(corners, colours); }
 };
 
 /// Builds the simplified cell graph and finds its visible edges (stage 3 of 6). T-junctions pair their two
 /// sharp contours where the third is a shading contour, else the opposite ones; junctions of four pair
-/// opposite edges. The picture's border is not among the edges: a contour that reaches it ends there. \param
-/// graph       resolved: no two links cross. \param components  labels with colours when cells of one
+/// opposite edges. The picture's border is not among the edges: a contour that reaches it ends there.
+/// \param graph       resolved: no two links cross.
+/// \param components  labels with colours when cells of one
 /// component may differ in colour (merging, connected
 ///                    lines); nullptr with exact similarity, where linked cells are equal and others differ.
 /// Source: Schapfel, sections 4.3 and 4.4; Kopf and Lischinski 2011, section 3.3.
 void build_cell_graph(const SimilarityGraph& graph, const Components* components, CellGraph& cells);
+
+/// The two parts of it: the colours of all cells, and the codes of some rows of corners, first_row to before
+/// end_row, of 0 .. height. A corner's code depends on the resolved links of its block and of the blocks to
+/// its east and south, and on the colours of its four pixels (or their components).
+void paint_cells(const SimilarityGraph& graph, const Components* components, CellGraph& cells);
+void encode_corners(const SimilarityGraph& graph, const Components* components, int first_row, int end_row,
+                    CellGraph& cells);
 
 }  // namespace depixel

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "libdepixel/core/memory.hpp"
@@ -23,10 +24,9 @@ struct Contours {
   std::vector<std::uint8_t>
       heading;                ///< Direction of the step that leaves the node (at an open end: that arrives)
   std::vector<Contour> list;  ///< open contours first; each kind in raster order of their first corners
-  std::vector<int> through;   ///< padded by corner; at T-junctions: the node of the contour that goes through
-  std::vector<std::uint8_t> untraced;  ///< scratch; padded, the east and south edges not yet traced
+  std::vector<std::uint8_t> traced;  ///< scratch; padded, the east and south edges that were traced
 
-  std::size_t memory_bytes() const { return held_bytes(corner, heading, list, through, untraced); }
+  std::size_t memory_bytes() const { return held_bytes(corner, heading, list, traced); }
 };
 
 /// Groups visible edges into contours (stage 4 of 6): maximal chains through paired edges. Open contours
@@ -34,5 +34,11 @@ struct Contours {
 /// eastwards; so start and direction depend on the picture alone. Cost: linear in corners and steps. Source:
 /// Schapfel, section 4.4.
 void trace_contours(const CellGraph& cells, Contours& contours);
+
+/// Groups just the visible edges of those contours that pass through some corners, each as trace_contours()
+/// does; in any order. Corners may be named more than once.
+/// \param contours  overwritten. Its scratch must be as the last call of this function left it, or zero.
+/// Cost: linear in the steps of these contours.
+void trace_contours_through(const CellGraph& cells, std::span<const int> corners, Contours& contours);
 
 }  // namespace depixel

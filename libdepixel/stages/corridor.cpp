@@ -72,12 +72,12 @@ DEPIXEL_VECTOR_CLONES void find_strays(const std::array<const float*, 2>& contro
   }
 }
 
-void fill_member_ghosts(const ContourBatch::Member& member, ContourBatch& batch) {
-  for (auto* values : {&batch.x, &batch.y}) ContourBatch::fill_ghosts(member, *values, 0.0f);
+void fill_member_ghosts(const ArcBatch::Member& member, ArcBatch& batch) {
+  for (auto* values : {&batch.x, &batch.y}) ArcBatch::fill_ghosts(member, *values, 0.0f);
 }
 
-void fill_knot_ghosts(const ContourBatch::Member& member, ContourBatch& batch) {
-  for (auto* values : {&batch.knot_x, &batch.knot_y}) ContourBatch::fill_ghosts(member, *values, 0.0f);
+void fill_knot_ghosts(const ArcBatch::Member& member, ArcBatch& batch) {
+  for (auto* values : {&batch.knot_x, &batch.knot_y}) ArcBatch::fill_ghosts(member, *values, 0.0f);
 }
 
 }  // namespace
@@ -95,17 +95,14 @@ bool is_clear(const std::array<glm::vec2, 4>& points, Direction heading) {
   return clears_both_sides(local, kSplits);
 }
 
-void Corridor::flag_suspects(const ContourBatch& batch) {
+void Corridor::flag_suspects(const ArcBatch& batch) {
   find_strays({batch.x.data(), batch.y.data()}, {batch.knot_x.data(), batch.knot_y.data()},
-              batch.step_x.data(), ContourBatch::kGhosts, batch.size - ContourBatch::kGhosts,
-              suspect_.data());
+              batch.step_x.data(), ArcBatch::kGhosts, batch.size - ArcBatch::kGhosts, suspect_.data());
 }
 
-bool Corridor::find_blocked(const Contours& contours, const ContourBatch& batch,
-                            const ContourBatch::Member& member) {
+bool Corridor::find_blocked(const ArcBatch& batch, const ArcBatch::Member& member) {
   blocked_.clear();
-  const int steps = member.closed ? member.count : member.count - 1;
-  for (int k = 0; k < steps; ++k) {
+  for (int k = 0; k < member.step_count(); ++k) {
     const int i = member.first + k;
     if (!suspect_[i]) continue;
     const glm::vec2 step(batch.step_x[i], batch.step_y[i]);
@@ -113,36 +110,34 @@ bool Corridor::find_blocked(const Contours& contours, const ContourBatch& batch,
     const glm::vec2 end = glm::vec2(batch.knot_x[i + 1], batch.knot_y[i + 1]) + step;
     const std::array<glm::vec2, 4> points{glm::vec2(batch.knot_x[i], batch.knot_y[i]), (2.0f * a + b) / 3.0f,
                                           (a + 2.0f * b) / 3.0f, end};
-    if (!is_clear(points, static_cast<Direction>(contours.heading[member.source + k]))) blocked_.push_back(k);
+    if (!is_clear(points, batch.word[i].heading())) blocked_.push_back(k);
   }
   return !blocked_.empty();
 }
 
 /// Moves the four control points of every blocked segment a part of the way back to the cell graph.
-void Corridor::retreat(const CellGraph& cells, const Contours& contours, const ContourBatch::Member& member,
-                       float part, ContourBatch& batch) {
+void Corridor::retreat(const ArcBatch::Member& member, float part, ArcBatch& batch) {
   retreats_.assign(member.count, 0);
   for (const int k : blocked_) {
     for (int j = k - 1; j <= k + 2; ++j) {
-      if (member.closed) retreats_[ContourBatch::wrapped(j, member.count)] = 1;
+      if (member.closed) retreats_[ArcBatch::wrapped(j, member.count)] = 1;
       if (!member.closed && j >= 0 && j < member.count) retreats_[j] = 1;
     }
   }
   for (int k = 0; k < member.count; ++k) {
-    const int i = member.first + k, node = member.source + k;
+    const int i = member.first + k;
     if (!retreats_[k] || batch.role[i] != NodeRole::free) continue;
-    const CornerCode code = cells.corners[contours.corner[node]];
-    const glm::vec2 home =
-        glm::vec2(code.node_quarters(static_cast<Direction>(contours.heading[node]))) * 0.25f;
+    const ShapeWord word = batch.word[i];
+    const glm::vec2 home = glm::vec2(word.code().node_quarters(word.heading())) * 0.25f;
     batch.x[i] += part * (home.x - batch.x[i]);
     batch.y[i] += part * (home.y - batch.y[i]);
   }
 }
 
 /// After a retreat, only segments with a moved control point need another look.
-void Corridor::suspect_changed(const ContourBatch::Member& member) {
+void Corridor::suspect_changed(const ArcBatch::Member& member) {
   const auto moved = [&](int k) {
-    if (member.closed) return retreats_[ContourBatch::wrapped(k, member.count)] != 0;
+    if (member.closed) return retreats_[ArcBatch::wrapped(k, member.count)] != 0;
     return k >= 0 && k < member.count && retreats_[k] != 0;
   };
   for (int k = 0; k < member.count; ++k) {
@@ -150,24 +145,23 @@ void Corridor::suspect_changed(const ContourBatch::Member& member) {
   }
 }
 
-void Corridor::keep_clear(const CellGraph& cells, const Contours& contours, ContourBatch& batch,
-                          std::vector<std::uint8_t>& retracted) {
+void Corridor::keep_clear(ArcBatch& batch, std::vector<std::uint8_t>& retracted) {
   if (suspect_.size() < batch.x.size()) suspect_.resize(batch.x.size());
   batch.close(batch.x, batch.y);
-  batch.find_knots(ContourBatch::kGhosts, batch.size - ContourBatch::kGhosts);
-  for (const ContourBatch::Member& member : batch.members) fill_knot_ghosts(member, batch);
+  batch.find_knots(ArcBatch::kGhosts, batch.size - ArcBatch::kGhosts);
+  for (const ArcBatch::Member& member : batch.members) fill_knot_ghosts(member, batch);
   flag_suspects(batch);
   retracted.assign(batch.x.size(), 0);
-  for (const ContourBatch::Member& member : batch.members) {
-    bool is_blocked = find_blocked(contours, batch, member);
+  for (const ArcBatch::Member& member : batch.members) {
+    bool is_blocked = find_blocked(batch, member);
     if (!is_blocked) continue;
     for (int round = 0; is_blocked && round <= kHalvings; ++round) {
-      retreat(cells, contours, member, round < kHalvings ? 0.5f : 1.0f, batch);
+      retreat(member, round < kHalvings ? 0.5f : 1.0f, batch);
       fill_member_ghosts(member, batch);
       batch.find_knots(member.first, member.last() + 1);
       fill_knot_ghosts(member, batch);
       suspect_changed(member);
-      is_blocked = find_blocked(contours, batch, member);
+      is_blocked = find_blocked(batch, member);
     }
     for (const int k : blocked_) retracted[member.first + k] = 1;
   }

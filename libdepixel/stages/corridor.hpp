@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "libdepixel/core/memory.hpp"
-#include "libdepixel/stages/contour_batch.hpp"
+#include "libdepixel/stages/arc_batch.hpp"
 
 namespace depixel {
 
@@ -25,18 +25,16 @@ class Corridor {
   /// towards the cell graph until all are; a segment that is not clear even then is retracted to its lattice
   /// edge. \param batch     x, y hold control points; writes knot_x, knot_y, and x, y where needed. \param
   /// retracted  by entry: set to 1 for retracted segments, else 0.
-  void keep_clear(const CellGraph& cells, const Contours& contours, ContourBatch& batch,
-                  std::vector<std::uint8_t>& retracted);
+  void keep_clear(ArcBatch& batch, std::vector<std::uint8_t>& retracted);
 
   std::size_t memory_bytes() const { return held_bytes(suspect_, blocked_, retreats_); }
 
  private:
-  void flag_suspects(const ContourBatch& batch);
-  bool find_blocked(const Contours& contours, const ContourBatch& batch, const ContourBatch::Member& member);
-  void retreat(const CellGraph& cells, const Contours& contours, const ContourBatch::Member& member,
-               float part, ContourBatch& batch);
+  void flag_suspects(const ArcBatch& batch);
+  bool find_blocked(const ArcBatch& batch, const ArcBatch::Member& member);
+  void retreat(const ArcBatch::Member& member, float part, ArcBatch& batch);
 
-  void suspect_changed(const ContourBatch::Member& member);
+  void suspect_changed(const ArcBatch::Member& member);
 
   std::vector<std::uint8_t> suspect_;  ///< by entry: the segment that leaves it may not be clear
   std::vector<int> blocked_;           ///< nodes of a member whose segments are not clear

@@ -169,7 +169,7 @@ int resolve_crossings(SimilarityGraph& graph, const CrossingVotes& votes, Crossi
   scratch.curve_length.assign(lattice.size(), 0);
   scratch.cut.resize(scratch.crossings.size());
   scratch.windows.resize(kCachedWindows);
-  find_neighbours(graph, scratch.neighbours);
+  find_neighbours(graph, 0, lattice.height(), scratch.neighbours);
   const auto valence_of = [&](int pixel) { return valence(scratch.neighbours[pixel]); };
   CurveLengths curves(lattice, scratch.neighbours, scratch.curve_length);
   for (std::size_t c = 0; c < scratch.crossings.size(); ++c) {

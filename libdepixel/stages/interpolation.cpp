@@ -23,14 +23,14 @@ DEPIXEL_VECTOR_CLONES void correct(const float* node, const float* knot, const f
 
 }  // namespace
 
-void interpolate_nodes(ContourBatch& batch, InterpolationScratch& scratch) {
+void interpolate_nodes(ArcBatch& batch, InterpolationScratch& scratch) {
   if (std::none_of(batch.members.begin(), batch.members.end(), [](const auto& m) { return m.interpolated; }))
     return;
-  const int from = ContourBatch::kGhosts, to = batch.size - ContourBatch::kGhosts;
+  const int from = ArcBatch::kGhosts, to = batch.size - ArcBatch::kGhosts;
   scratch.node_x = batch.x;
   scratch.node_y = batch.y;
   scratch.is_interpolated.assign(batch.x.size(), 0.0f);
-  for (const ContourBatch::Member& member : batch.members) {
+  for (const ArcBatch::Member& member : batch.members) {
     if (member.interpolated) std::fill_n(scratch.is_interpolated.begin() + member.first, member.count, 1.0f);
   }
   for (const float rate : kRates) {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "libdepixel/core/memory.hpp"
-#include "libdepixel/stages/contour_batch.hpp"
+#include "libdepixel/stages/arc_batch.hpp"
 
 namespace depixel {
 
@@ -21,6 +21,6 @@ struct InterpolationScratch {
 /// Solved by simultaneous corrections at Chebyshev rates; after a fixed number of them the error is below
 /// half a subpixel. So the cost is linear, and the bits are the same from any start and in either direction.
 /// Source: Schapfel, section 4.6.5.
-void interpolate_nodes(ContourBatch& batch, InterpolationScratch& scratch);
+void interpolate_nodes(ArcBatch& batch, InterpolationScratch& scratch);
 
 }  // namespace depixel

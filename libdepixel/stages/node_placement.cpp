@@ -7,8 +7,6 @@
 namespace depixel {
 namespace {
 
-/// Arms of a corner that is put back on the lattice: the step at the corner and two more.
-constexpr int kCornerArm = 3;
 /// Arms of a corner that the thesis's averaging leaves alone: the step at the corner and one more (figure
 /// 57).
 constexpr int kAveragedCornerArm = 2;
@@ -46,120 +44,120 @@ constexpr auto kRest = [] {
 
 }  // namespace
 
-void find_thin_pixels(const SimilarityGraph& graph, std::vector<std::uint8_t>& thin) {
-  find_neighbours(graph, thin);
-  for (std::size_t i = 0; i + sizeof(Byte16) <= thin.size(); i += sizeof(Byte16)) {
-    const auto links = load_vector<Byte16>(thin.data() + i);
-    const Byte16 but_one = links & (links - 1), but_two = but_one & (but_one - 1);
-    const Byte16 triangles = links & ((links << 1) | (links >> 7));
-    store_vector(thin.data() + i, reinterpret_cast<Byte16>((but_two | triangles) == 0) & 1);
+void find_thin_pixels(const SimilarityGraph& graph, int first_row, int end_row,
+                      std::vector<std::uint8_t>& thin) {
+  find_neighbours(graph, first_row, end_row, thin);
+  const Lattice& lattice = graph.lattice;
+  for (int y = first_row; y < end_row; ++y) {
+    std::uint8_t* row = thin.data() + lattice.pixel(0, y);
+    for (int x = 0; x < lattice.width(); x += sizeof(Byte16)) {  // may write into the padding
+      const auto links = load_vector<Byte16>(row + x);
+      const Byte16 but_one = links & (links - 1), but_two = but_one & (but_one - 1);
+      const Byte16 triangles = links & ((links << 1) | (links >> 7));
+      store_vector(row + x, reinterpret_cast<Byte16>((but_two | triangles) == 0) & 1);
+    }
   }
 }
 
-void NodePlacer::add(const Contour& contour, Smoothing smoothing, bool interpolated, ContourBatch& batch) {
+void find_thin_pixels(const SimilarityGraph& graph, std::vector<std::uint8_t>& thin) {
+  find_thin_pixels(graph, 0, graph.lattice.height(), thin);
+}
+
+void NodePlacer::add(std::span<const ShapeWord> words, ArcKind kind, Smoothing smoothing, int source,
+                     ArcBatch& batch) {
   batch_ = &batch;
-  member_ = batch.add(*contours_, contour, interpolated);
-  place_at_rest(contour);
+  member_ = batch.add(words, kind, source);
+  place_at_rest(words);
   if (smoothing == Smoothing::none) return;
-  find_runs(contour);
+  find_runs(words);
   if (smoothing == Smoothing::average) {
-    restore_corners(kAveragedCornerArm, false);
+    hold_corners();
     return;
   }
-  restore_corners(kCornerArm, true);
-  find_thin_sides(contour);
+  find_thin_sides(words);
   if (has_thin_sides_) hold_square_ends();
   straighten_stairs();
   if (has_thin_sides_) widen_thin_lines();
 }
 
-/// Junctions of four must stay in one point, and open contours where they end; all else may move.
-void NodePlacer::place_at_rest(const Contour& contour) {
-  const int* corners = contours_->corner.data() + contour.first;
-  const std::uint8_t* headings = contours_->heading.data() + contour.first;
-  const CornerCode* codes = cells_->corners.data();
+/// Open arcs must stay where they end; all else may move.
+void NodePlacer::place_at_rest(std::span<const ShapeWord> words) {
+  const int count = member_.count;
   float *x = batch_->x.data() + member_.first, *y = batch_->y.data() + member_.first;
-  for (int k = 0; k < contour.count; ++k) {
-    const CornerCode code = codes[corners[k]];
-    const Vector rest = kRest[code.bits()][headings[k]];
+  for (int k = 0; k < count; ++k) {
+    const Vector rest = kRest[words[k].code().bits()][words[k].heading()];
     x[k] = rest.x;
     y[k] = rest.y;
-    batch_->set_role(member_.first + k, code.is_junction_of_four() ? NodeRole::sharp : NodeRole::free);
+    batch_->set_role(member_.first + k, NodeRole::free);
   }
-  std::copy_n(x, contour.count, batch_->rest_x.data() + member_.first);
-  std::copy_n(y, contour.count, batch_->rest_y.data() + member_.first);
-  if (!contour.closed) {
+  std::copy_n(x, count, batch_->rest_x.data() + member_.first);
+  std::copy_n(y, count, batch_->rest_y.data() + member_.first);
+  if (!member_.closed) {
     batch_->set_role(member_.first, NodeRole::sharp);
     batch_->set_role(member_.last(), NodeRole::sharp);
   }
 }
 
-/// Looks on both sides of every step for a pixel of a thin line.
-void NodePlacer::find_thin_sides(const Contour& contour) {
-  thin_sides_.resize(contour.count);
-  const std::uint8_t* thin = thin_->data();
-  std::uint8_t any = 0;
-  for (int k = 0; k < contour.count; ++k) {
-    const int corner = contours_->corner[contour.first + k], heading = contours_->heading[contour.first + k];
-    const std::uint8_t sides = thin[corner + left_[heading]] | thin[corner + left_[(heading + 1) & 3]] << 1;
-    thin_sides_[k] = sides;
-    any |= sides;
+/// On which sides of every step there is a pixel of a thin line.
+void NodePlacer::find_thin_sides(std::span<const ShapeWord> words) {
+  thin_sides_.resize(words.size());
+  int any = 0;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    thin_sides_[k] = static_cast<std::uint8_t>(words[k].thin_sides());
+    any |= thin_sides_[k];
   }
   has_thin_sides_ = any != 0;
 }
 
-void NodePlacer::find_runs(const Contour& contour) {
+void NodePlacer::find_runs(std::span<const ShapeWord> words) {
   runs_.clear();
-  const int nodes = contour.count, steps = contour.step_count();
-  const std::uint8_t* headings = contours_->heading.data() + contour.first;
-  const NodeRole* roles = batch_->role.data() + member_.first;
+  const int nodes = member_.count, steps = member_.step_count();
   int start = 0;
-  if (contour.closed) {
-    while (headings[start] == headings[start == 0 ? nodes - 1 : start - 1]) ++start;  // it turns somewhere
+  if (member_.closed) {
+    while (words[start].heading() == words[start == 0 ? nodes - 1 : start - 1].heading()) {
+      ++start;  // it turns somewhere
+    }
   }
   const auto turn = [](int from, int to) {
     constexpr std::array<int, 4> kTurns{0, 1, 0, -1};
     return kTurns[(to - from) & 3];
   };
-  int heading = headings[start], first = start, length = 0, turn_in = 0;
+  int heading = words[start].heading(), first = start, length = 0, turn_in = 0;
   const auto finish = [&](int turn_out) {
     runs_.push_back({first, length, static_cast<Direction>(heading), turn_in, turn_out});
     turn_in = turn_out;
   };
   for (int k = 0, node = start; k < steps; ++k) {
-    if (length > 0 && (headings[node] != heading || roles[node] != NodeRole::free)) {
-      finish(turn(heading, headings[node]));
-      heading = headings[node];
+    if (length > 0 && words[node].heading() != heading) {
+      finish(turn(heading, words[node].heading()));
+      heading = words[node].heading();
       first = node;
       length = 0;
     }
     ++length;
     if (++node == nodes) node = 0;
   }
-  finish(contour.closed ? turn(heading, runs_.empty() ? heading : runs_.front().heading) : 0);
-  if (contour.closed) runs_.front().turn_in = runs_.back().turn_out;
+  finish(member_.closed ? turn(heading, runs_.empty() ? heading : runs_.front().heading) : 0);
+  if (member_.closed) runs_.front().turn_in = runs_.back().turn_out;
 }
 
 const NodePlacer::Run* NodePlacer::neighbour(int run, int offset) const {
   const int count = static_cast<int>(runs_.size());
   int k = run + offset;
   if (member_.closed) {
-    k = ContourBatch::wrapped(k, count);
+    k = ArcBatch::wrapped(k, count);
   } else if (k < 0 || k >= count) {
     return nullptr;
   }
   return &runs_[k];
 }
 
-void NodePlacer::restore_corners(int minimum_arm, bool sharp) {
+void NodePlacer::hold_corners() {
   for (int k = 0; k < static_cast<int>(runs_.size()); ++k) {
     const Run& run = runs_[k];
     const Run* next = neighbour(k, 1);
-    if (run.turn_out == 0 || run.length < minimum_arm || next->length < minimum_arm) continue;
-    const int i = entry(next->start);
-    if (batch_->role[i] != NodeRole::free) continue;
-    batch_->set_role(i, sharp ? NodeRole::sharp : NodeRole::held);
-    if (sharp) batch_->x[i] = batch_->y[i] = batch_->rest_x[i] = batch_->rest_y[i] = 0.0f;
+    if (run.turn_out == 0 || run.length < kAveragedCornerArm || next->length < kAveragedCornerArm) continue;
+    batch_->set_role(entry(next->start), NodeRole::held);
   }
 }
 

@@ -3,8 +3,7 @@
 #include <vector>
 
 #include "libdepixel/core/memory.hpp"
-#include "libdepixel/stages/contours.hpp"
-#include "libdepixel/stages/splines.hpp"
+#include "libdepixel/stages/edge_map.hpp"
 
 namespace depixel {
 
@@ -13,13 +12,15 @@ namespace depixel {
 struct Segment {
   glm::ivec2 p0, p1, p2, p3;
   int left, right;  ///< padded index of a pixel on either side, seen along the curve
+
+  friend bool operator==(const Segment&, const Segment&) = default;
 };
 
 /// A frame as a planar map: curve segments that divide the picture without gap or overlap.
 ///
-/// Segments come contour by contour, each contour's in order; consecutive ones share their end point exactly,
-/// and so do all that meet in a junction. The picture's straight border is not among them: outside lies
-/// transparency.
+/// All segments that meet in a point share it exactly. The picture's straight border is not among them:
+/// outside lies transparency. Those of a frame go eastwards or southwards, each along one edge of the
+/// lattice, and come in raster order of the corners that they leave.
 struct PlanarMap {
   Lattice lattice;
   std::vector<Rgba> colours;  ///< padded, by pixel: the colour of the region that holds the pixel
@@ -28,12 +29,24 @@ struct PlanarMap {
   Rgba left_colour(const Segment& s) const { return colours[s.left]; }
   Rgba right_colour(const Segment& s) const { return colours[s.right]; }
 
+  friend bool operator==(const PlanarMap&, const PlanarMap&) = default;
+
   std::size_t memory_bytes() const { return held_bytes(colours, segments); }
 };
 
-/// Builds the map (stage 6 of 6) from contours and the splines fitted to them.
-/// Cost: linear in steps. Source: Schapfel, sections 4.5 and 4.6.4.
-void build_planar_map(const CellGraph& cells, const Contours& contours, const Splines& splines,
+/// The segment along the visible edge that leaves a corner eastwards or southwards.
+inline Segment segment_of(const EdgeCurve& curve, glm::ivec2 corner_position, int corner, bool southwards,
+                          int stride) {
+  const glm::ivec2 origin = corner_position * kSubpixels;
+  return {origin + glm::ivec2(curve.p0),          origin + glm::ivec2(curve.p1),
+          origin + glm::ivec2(curve.p2),          origin + glm::ivec2(curve.p3),
+          corner + (southwards ? stride + 1 : 1), corner + (southwards ? stride : stride + 1)};
+}
+
+/// Writes a map out (stage 6 of 6).
+/// \param colours  of the cells, padded.
+/// Cost: linear in corners. Source: Schapfel, section 4.5.
+void build_planar_map(const EdgeMap& edges, const SplineTable& table, const std::vector<Rgba>& colours,
                       PlanarMap& map);
 
 }  // namespace depixel

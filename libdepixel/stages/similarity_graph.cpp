@@ -66,14 +66,15 @@ void link_similar_row(const Rgba* row, int stride, int count, std::uint8_t* link
   }
 }
 
-/// Links all rows and cuts the links that would leave the frame.
+/// Links rows of blocks, and cuts the links that would leave the frame.
 template <typename LinkRow>
-void link_all(SimilarityGraph& graph, LinkRow link_row) {
+void link_rows(const SimilarityGraph& graph, int first_row, int end_row, LinkRow link_row,
+               std::vector<std::uint8_t>& all_links) {
   const Lattice& lattice = graph.lattice;
   const int width = lattice.width(), height = lattice.height();
-  for (int y = 0; y < height; ++y) {
+  for (int y = first_row; y < end_row; ++y) {
     const int first = lattice.pixel(0, y);
-    std::uint8_t* links = graph.links.data() + first;
+    std::uint8_t* links = all_links.data() + first;
     link_row(graph.pixels.data() + first, lattice.stride(), width, links);
     links[width - 1] &= kWestSide;
     std::fill_n(links + width, kWordLanes - 1, std::uint8_t{0});
@@ -128,10 +129,11 @@ std::uint8_t SimilarityGraph::neighbours(int pixel) const {
       bit(pixel - 1, kNorthSide) << 6 | bit(pixel - stride - 1, kMainDiagonal) << 7);
 }
 
-void find_neighbours(const SimilarityGraph& graph, std::vector<std::uint8_t>& masks) {
+void find_neighbours(const SimilarityGraph& graph, int first_row, int end_row,
+                     std::vector<std::uint8_t>& masks) {
   const Lattice& lattice = graph.lattice;
   masks.resize(lattice.size() + sizeof(Byte16));
-  for (int y = 0; y < lattice.height(); ++y) {
+  for (int y = first_row; y < end_row; ++y) {
     const int first = lattice.pixel(0, y);
     const std::uint8_t* here = graph.links.data() + first;
     const std::uint8_t* above = here - lattice.stride();
@@ -154,27 +156,28 @@ namespace {
 
 void load_frame(const FrameView& frame, SimilarityGraph& graph) {
   assert(frame.width > 0 && frame.height > 0);
-  const Lattice lattice(frame.width, frame.height);
-  if (!(graph.lattice == lattice)) {
-    graph.lattice = lattice;
-    graph.pixels.assign(lattice.size(), Rgba{});
-    graph.links.assign(lattice.size(), 0);
-  }
+  graph.resize(Lattice(frame.width, frame.height));
   load_pixels(frame, graph);
 }
 
 }  // namespace
 
+void link_exact_rows(const SimilarityGraph& graph, int first_row, int end_row,
+                     std::vector<std::uint8_t>& links) {
+  link_rows(graph, first_row, end_row, link_exact_row<true>, links);
+}
+
 void build_raw_similarity_graph(const FrameView& frame, Similarity similarity, SimilarityGraph& graph) {
   load_frame(frame, graph);
-  link_all(graph, similarity == Similarity::exact ? link_exact_row<false> : link_similar_row);
+  link_rows(graph, 0, frame.height,
+            similarity == Similarity::exact ? link_exact_row<false> : link_similar_row, graph.links);
 }
 
 void build_similarity_graph(const FrameView& frame, Similarity similarity, bool connect_lines,
                             SimilarityGraph& graph) {
   if (similarity == Similarity::exact && !connect_lines) {
     load_frame(frame, graph);
-    link_all(graph, link_exact_row<true>);
+    link_exact_rows(graph, 0, frame.height, graph.links);
     return;
   }
   build_raw_similarity_graph(frame, similarity, graph);

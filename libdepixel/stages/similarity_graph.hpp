@@ -38,12 +38,21 @@ struct SimilarityGraph {
   /// The eight neighbours that a pixel is linked to; bits clockwise from north: N NE E SE S SW W NW.
   std::uint8_t neighbours(int pixel) const;
 
+  /// Makes room for another size of picture; where it stays, so does all that the arrays hold.
+  void resize(const Lattice& size) {
+    if (lattice == size) return;
+    lattice = size;
+    pixels.assign(size.size(), Rgba{});
+    links.assign(size.size(), 0);
+  }
   std::size_t memory_bytes() const { return held_bytes(pixels, links); }
 };
 
-/// SimilarityGraph::neighbours() of all pixels at once. Entries of the padding mean nothing.
-/// \param masks  padded, and a little longer; overwritten.
-void find_neighbours(const SimilarityGraph& graph, std::vector<std::uint8_t>& masks);
+/// SimilarityGraph::neighbours() of some rows of pixels at once, first_row to before end_row. Entries of the
+/// padding mean nothing.
+/// \param masks  padded, and a little longer.
+void find_neighbours(const SimilarityGraph& graph, int first_row, int end_row,
+                     std::vector<std::uint8_t>& masks);
 
 /// Index offsets to the eight neighbours, clockwise from north, as in SimilarityGraph::neighbours().
 std::array<int, 8> neighbour_offsets(const Lattice& lattice);
@@ -56,6 +65,12 @@ std::array<int, 8> neighbour_offsets(const Lattice& lattice);
 /// Source: Schapfel, section 4.1; Kopf and Lischinski 2011, section 3.2.
 void build_similarity_graph(const FrameView& frame, Similarity similarity, bool connect_lines,
                             SimilarityGraph& graph);
+
+/// Some rows of it, first_row to before end_row, for exact similarity and without connect-lines: a block's
+/// links depend on its four pixels alone. \param graph  its pixels are read. \param links  padded; only these
+/// rows are written.
+void link_exact_rows(const SimilarityGraph& graph, int first_row, int end_row,
+                     std::vector<std::uint8_t>& links);
 
 /// The links before freezing, as view 0 of the thesis shows them.
 void build_raw_similarity_graph(const FrameView& frame, Similarity similarity, SimilarityGraph& graph);

@@ -22,7 +22,7 @@ constexpr float kPosition = 0.5f;
 constexpr Sweep kCoarse{2, 0.1f, 4 * kPosition}, kFine{1, 0.11f, kPosition};
 constexpr std::array kSweeps{kCoarse, kCoarse, kCoarse, kFine, kFine};
 
-constexpr float kReach = ContourBatch::kReach;
+constexpr float kReach = ArcBatch::kReach;
 
 /// Second differences of positions over a stride, of eight nodes from i on; 0 where bending does not count.
 template <int kStride>
@@ -83,7 +83,7 @@ DEPIXEL_VECTOR_CLONES void move_nodes(const SweepArrays& arrays, const Sweep& sw
   sweep.stride == 1 ? move_nodes<1>(arrays, sweep) : move_nodes<2>(arrays, sweep);
 }
 
-void make_room(const ContourBatch& batch, SmoothingScratch& scratch) {
+void make_room(const ArcBatch& batch, SmoothingScratch& scratch) {
   if (scratch.bend_x.size() < batch.x.size()) {
     scratch.bend_x.resize(batch.x.size());
     scratch.bend_y.resize(batch.x.size());
@@ -92,16 +92,16 @@ void make_room(const ContourBatch& batch, SmoothingScratch& scratch) {
 
 /// The ghosts at both ends of the batch are not among the entries that sweeps compute; inner ones come out as
 /// 0.
-void clear_outer_ghosts(const ContourBatch& batch, SmoothingScratch& scratch) {
+void clear_outer_ghosts(const ArcBatch& batch, SmoothingScratch& scratch) {
   for (auto* bend : {&scratch.bend_x, &scratch.bend_y}) {
-    std::fill_n(bend->begin(), ContourBatch::kGhosts, 0.0f);
-    std::fill_n(bend->begin() + batch.size - ContourBatch::kGhosts, ContourBatch::kGhosts, 0.0f);
+    std::fill_n(bend->begin(), ArcBatch::kGhosts, 0.0f);
+    std::fill_n(bend->begin() + batch.size - ArcBatch::kGhosts, ArcBatch::kGhosts, 0.0f);
   }
 }
 
 }  // namespace
 
-void minimize_energy(ContourBatch& batch, SmoothingScratch& scratch) {
+void minimize_energy(ArcBatch& batch, SmoothingScratch& scratch) {
   if (batch.members.empty()) return;
   make_room(batch, scratch);
   const SweepArrays arrays{batch.x.data(),
@@ -115,8 +115,8 @@ void minimize_energy(ContourBatch& batch, SmoothingScratch& scratch) {
                            batch.mobility.data(),
                            batch.bends1.data(),
                            batch.bends2.data(),
-                           ContourBatch::kGhosts,
-                           batch.size - ContourBatch::kGhosts};
+                           ArcBatch::kGhosts,
+                           batch.size - ArcBatch::kGhosts};
   for (const Sweep& sweep : kSweeps) {
     batch.close(batch.x, batch.y);
     find_bending(arrays, sweep.stride);
@@ -126,15 +126,13 @@ void minimize_energy(ContourBatch& batch, SmoothingScratch& scratch) {
   }
 }
 
-void average_control_points(ContourBatch& batch, SmoothingScratch& scratch) {
-  constexpr int kNodesPerRound = 20, kMaxRounds = 10;
+void average_control_points(ArcBatch& batch, SmoothingScratch& scratch) {
   make_room(batch, scratch);
-  for (const ContourBatch::Member& member : batch.members) {
-    const int rounds = std::min(1 + member.count / kNodesPerRound, kMaxRounds);
-    for (int round = 0; round < rounds; ++round) {
+  for (const ArcBatch::Member& member : batch.members) {
+    for (int round = 0; round < member.rounds; ++round) {
       for (auto [values, steps, result] : {std::tuple{&batch.x, &batch.step_x, &scratch.bend_x},
                                            std::tuple{&batch.y, &batch.step_y, &scratch.bend_y}}) {
-        if (member.closed) ContourBatch::close_ghosts(member, *values);
+        if (member.closed) ArcBatch::close_ghosts(member, *values);
         for (int i = member.first; i <= member.last(); ++i) {
           const float turn = (*steps)[i] - (*steps)[i - 1];
           const float bend = turn + (((*values)[i - 1] + (*values)[i + 1]) - 2 * (*values)[i]);

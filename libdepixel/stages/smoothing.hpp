@@ -1,7 +1,7 @@
 #pragma once
 
 #include "libdepixel/core/memory.hpp"
-#include "libdepixel/stages/contour_batch.hpp"
+#include "libdepixel/stages/arc_batch.hpp"
 
 namespace depixel {
 
@@ -17,10 +17,10 @@ struct SmoothingScratch {
 /// (Jacobi) sweeps, so the result does not depend on where a contour starts or which way it runs; coarse
 /// ones, between neighbours two steps away, come first and carry long waves, fine ones follow. \post  |x|,
 /// |y| <= 7/16. Cost: linear in nodes. Source: Kopf and Lischinski 2011, section 3.4; Schapfel, section 4.7.
-void minimize_energy(ContourBatch& batch, SmoothingScratch& scratch);
+void minimize_energy(ArcBatch& batch, SmoothingScratch& scratch);
 
-/// Averages the control points of a batch with their neighbours, (1 2 1)/4, in 1 + floor(nodes / 20) rounds,
-/// at most 10; nodes that are not free stay put. Source: Schapfel, section 4.7.
-void average_control_points(ContourBatch& batch, SmoothingScratch& scratch);
+/// Averages the control points of a batch with their neighbours, (1 2 1)/4, in as many rounds
+/// as each member has; nodes that are not free stay put. Source: Schapfel, section 4.7.
+void average_control_points(ArcBatch& batch, SmoothingScratch& scratch);
 
 }  // namespace depixel

@@ -158,36 +158,36 @@ class Drawer {
     return stages_.cells().lattice.corner_position(corner) * kSubpixels + quarters * (kSubpixels / 4);
   }
 
-  /// Calls visit(contour, from, to, segment) for every step of every contour.
+  /// Calls visit(contour, step) for every step of every contour: a straight segment between two nodes of the
+  /// cell graph.
   template <typename Visit>
   void for_each_step(Visit visit) {
-    int segment = 0;
     const Contours& contours = stages_.contours();
+    const std::array<int, 4> left = stages_.map().lattice.left_offsets();
     for (int c = 0; c < static_cast<int>(contours.list.size()); ++c) {
       const Contour& contour = contours.list[c];
       for (int k = 0; k < contour.step_count(); ++k) {
-        const int next = (k + 1) % contour.count;
-        visit(c, cell_node(contour.first + k), cell_node(contour.first + next), segment++);
+        const int node = contour.first + k, next = contour.first + (k + 1) % contour.count;
+        const int corner = contours.corner[node], heading = contours.heading[node];
+        const glm::ivec2 from = cell_node(node), to = cell_node(next), third = (to - from) / 3;
+        visit(c, Segment{from, from + third, to - third, to, corner + left[heading],
+                         corner + left[(heading + 1) & 3]});
       }
     }
   }
 
   void fill_polygons() {
     fill_components();
-    for_each_step([&](int, glm::ivec2 from, glm::ivec2 to, int segment) {
-      Segment& s = drawing_.fill.segments[segment];
-      const glm::ivec2 third = (to - from) / 3;
-      s = {from, from + third, to - third, to, s.left, s.right};
-    });
+    drawing_.fill.segments.clear();
+    for_each_step([&](int, const Segment& step) { drawing_.fill.segments.push_back(step); });
   }
 
   void draw_contours() {
     const PlanarMap& map = stages_.map();
-    for_each_step([&](int contour, glm::ivec2 from, glm::ivec2 to, int segment) {
-      const Segment& s = map.segments[segment];
-      const bool shading = near_yuv(map.left_colour(s), map.right_colour(s));
-      drawing_.strokes.push_back(
-          straight(from, to, kContourColours[contour % kContourColours.size()], shading ? kThin : kThick));
+    for_each_step([&](int contour, const Segment& step) {
+      const bool shading = near_yuv(map.left_colour(step), map.right_colour(step));
+      drawing_.strokes.push_back(straight(step.p0, step.p3, kContourColours[contour % kContourColours.size()],
+                                          shading ? kThin : kThick));
     });
     const Contours& contours = stages_.contours();
     for (const Contour& contour : contours.list) {

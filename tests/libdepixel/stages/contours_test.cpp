@@ -67,9 +67,6 @@ TEST(Contours, ATJunctionEndsOnTheContourThatGoesThrough) {
   ASSERT_EQ(v.contours().list.size(), 2u);
   EXPECT_EQ(corners_of(v, v.contours().list[0]), (Corners{{1, 0}, {1, 1}}));
   EXPECT_EQ(corners_of(v, v.contours().list[1]), (Corners{{0, 1}, {1, 1}, {2, 1}}));
-  const int corner = v.cells().lattice.corner(1, 1);
-  const Contour& through = v.contours().list[1];
-  EXPECT_EQ(v.contours().through[corner], through.first + 1);
 }
 
 TEST(Contours, AJunctionOfFourIsPassedByTwoContours) {
@@ -171,22 +168,6 @@ RC_GTEST_PROP(Contours, AreMaximalAndStartCanonically, (const Picture& picture))
     }
   }
   RC_ASSERT(entries == static_cast<int>(v.contours().corner.size()));
-}
-
-RC_GTEST_PROP(Contours, ThroughNamesANodeOfTheContourThatGoesOn, (const Picture& picture)) {
-  Vectorizer v;
-  v.vectorize(picture.view(), {});
-  const Contours& contours = v.contours();
-  for (const Contour& contour : contours.list) {
-    if (contour.closed) continue;
-    for (const int end : {contour.first, contour.first + contour.count - 1}) {
-      const glm::ivec2 at = v.cells().lattice.corner_position(contours.corner[end]);
-      if (at.x == 0 || at.y == 0 || at.x == picture.width || at.y == picture.height) continue;
-      const int through = contours.through[contours.corner[end]];
-      RC_ASSERT(contours.corner[through] == contours.corner[end]);
-      RC_ASSERT(through != end);
-    }
-  }
 }
 
 }  // namespace

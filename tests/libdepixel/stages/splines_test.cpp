@@ -78,23 +78,25 @@ TEST(Splines, InterpolationGoesThroughTheNodes) {
 }
 
 RC_GTEST_PROP(Splines, KnotsAreOneFourOneOfControlPoints, (const Picture& picture)) {
-  // Everywhere but at ends, and where a spline is broken: there knot and control point coincide.
+  // So a knot lies half-way between the inner points next to it: two thirds of the way from one control point
+  // to its own, and one third from its own to the other. Not where a spline is broken, on the lattice corner,
+  // and not at retracted segments.
   Vectorizer v;
   v.vectorize(picture.view(), *random_lossless_options());
-  const auto absolute = [&](const std::vector<glm::ivec2>& from_corner, int node) {
-    return v.cells().lattice.corner_position(v.contours().corner[node]) * kSubpixels + from_corner[node];
+  const Contours& contours = v.contours();
+  const auto segment_after = [&](int node) {
+    return segment_along(v.map(), contours.corner[node], static_cast<Direction>(contours.heading[node]));
   };
-  for (const Contour& c : v.contours().list) {
-    for (int k = c.closed ? 0 : 1; k < (c.closed ? c.count : c.count - 1); ++k) {
-      const auto control = [&](int offset) {
-        return absolute(v.splines().control, c.first + (k + offset + c.count) % c.count);
-      };
-      const glm::ivec2 six_knots = 6 * absolute(v.splines().knot, c.first + k);
-      const glm::ivec2 off = glm::abs(control(-1) + 4 * control(0) + control(1) - six_knots);
-      const bool is_smooth =
-          off.x <= 9 && off.y <= 9;  // all four points are rounded by up to half a subpixel
-      const bool is_broken = six_knots == 6 * control(0);
-      RC_ASSERT(is_smooth || is_broken);
+  for (const Contour& c : contours.list) {
+    for (int k = c.closed ? 0 : 1; k < c.step_count(); ++k) {
+      const Segment before = segment_after(c.first + (k + c.count - 1) % c.count);
+      const Segment after = segment_after(c.first + k);
+      const glm::ivec2 corner = v.map().lattice.corner_position(contours.corner[c.first + k]) * kSubpixels;
+      const glm::ivec2 off = glm::abs(before.p2 + after.p1 - 2 * after.p0);
+      // All three points are rounded, control points before the inner ones.
+      const bool is_smooth = off.x <= 4 && off.y <= 4;
+      const bool is_retracted = before.p1 == before.p2 || after.p1 == after.p2;
+      RC_ASSERT(is_smooth || is_retracted || after.p0 == corner);
     }
   }
 }
@@ -107,12 +109,14 @@ TEST(Splines, CalmCurvesAreSmoothEverywhere) {
       options.smoothing = Smoothing::none;
       Vectorizer vectorizer;
       vectorizer.vectorize(picture.view(), options);
-      for (const Segment& s : vectorizer.map().segments) {
-        // The segment that follows leaves in the direction in which this one arrives, and as fast.
-        for (const Segment& next : vectorizer.map().segments) {
-          if (s.p3 != next.p0) continue;
-          const glm::ivec2 kink = (s.p3 - s.p2) - (next.p1 - next.p0);
-          EXPECT_LE(std::abs(kink.x) + std::abs(kink.y), 4);
+      for (const ReadCurve& curve : read_curves(vectorizer)) {
+        // Where a segment arrives, the next one leaves in the same direction, and as fast.
+        const std::size_t count = curve.knots.size();
+        ASSERT_TRUE(curve.closed);
+        for (std::size_t k = 0; k < count; ++k) {
+          const auto control = [&](std::size_t i) { return curve.controls[(k + count + i) % count]; };
+          const glm::dvec2 mean = (control(count - 1) + 4.0 * control(0) + control(1)) / 6.0;
+          EXPECT_LE(glm::distance(curve.knots[k], mean), 6.0 / 4096);
         }
       }
     }

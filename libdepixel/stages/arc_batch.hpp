@@ -4,22 +4,22 @@
 #include <vector>
 
 #include "libdepixel/core/memory.hpp"
-#include "libdepixel/stages/contours.hpp"
+#include "libdepixel/stages/arcs.hpp"
 
 namespace depixel {
 
-/// How a node of a contour takes part in smoothing and fitting.
+/// How a node of an arc takes part in smoothing and fitting.
 enum class NodeRole : std::uint8_t {
   free,   ///< moves
   held,   ///< stays put; the curve runs on smoothly
   sharp,  ///< stays put, and the spline is broken here: knot and control point coincide
 };
 
-/// Some contours of a frame laid out for vector code: coordinates in arrays of their own, and round every
-/// contour kGhosts entries on each side that repeat a closed contour's other end. All lengths are source
+/// Some arcs laid out for vector code: coordinates in arrays of their own, and round every arc kGhosts
+/// entries on each side that repeat a closed one's other end. All lengths are source
 /// pixels; positions are displacements from each node's own lattice corner, so that equal shapes have equal
 /// bits wherever they lie.
-struct ContourBatch {
+struct ArcBatch {
   static constexpr int kGhosts = 2;
   /// No node strays farther from its corner along an axis: half a pixel less a little more than the clearance
   /// of centres.
@@ -30,14 +30,17 @@ struct ContourBatch {
     int count = 0;  ///< nodes
     bool closed = false;
     bool interpolated = false;  ///< the spline goes through the nodes instead of near them
-    int source = 0;             ///< node of Contours that its first node is
+    int rounds = 0;             ///< of averaging
+    int source = 0;             ///< for the caller: where its results go
     int last() const { return first + count - 1; }
+    int step_count() const { return closed ? count : count - 1; }
   };
 
   std::vector<Member> members;
   int size = 0;  ///< entries in use, ghosts included
 
   // Arrays have room for whole vectors beyond the last entry.
+  std::vector<ShapeWord> word;        ///< what the arc is like at the node
   std::vector<float> x, y;            ///< nodes, later control points of the spline
   std::vector<float> rest_x, rest_y;  ///< where smoothing would have them stay
   std::vector<float> step_x, step_y;  ///< lattice step that leaves the node
@@ -55,8 +58,9 @@ struct ContourBatch {
     size = 0;
   }
 
-  /// Makes room for a contour and lays down its lattice steps; everything else is for the caller to fill.
-  Member& add(const Contours& contours, const Contour& contour, bool interpolated);
+  /// Makes room for an arc and lays down its words and lattice steps; everything else is for the caller to
+  /// fill.
+  Member& add(std::span<const ShapeWord> words, ArcKind kind, int source);
 
   /// Gives a node its role, and what follows from the role alone.
   void set_role(int entry, NodeRole new_role) {
@@ -75,11 +79,11 @@ struct ContourBatch {
   void find_knots(int from, int to);
 
   std::size_t memory_bytes() const {
-    return held_bytes(members, x, y, rest_x, rest_y, step_x, step_y, mobility, held, bends1, bends2,
+    return held_bytes(members, word, x, y, rest_x, rest_y, step_x, step_y, mobility, held, bends1, bends2,
                       smoothness, knot_x, knot_y, role);
   }
 
-  /// Repeats a closed contour's ends in its ghosts. A closed contour has four nodes at least.
+  /// Repeats a closed arc's ends in its ghosts. A closed arc has four nodes at least.
   template <typename Value>
   static void close_ghosts(const Member& member, std::vector<Value>& values) {
     for (int g = 0; g < kGhosts; ++g) {
@@ -87,7 +91,7 @@ struct ContourBatch {
       values[member.last() + 1 + g] = values[member.first + g];
     }
   }
-  /// The same for a closed contour; an open contour's ghosts are set to a value.
+  /// The same for a closed arc; an open one's ghosts are set to a value.
   template <typename Value>
   static void fill_ghosts(const Member& member, std::vector<Value>& values, Value beyond_ends) {
     if (member.closed) {

@@ -1,4 +1,4 @@
-#include "libdepixel/stages/contour_batch.hpp"
+#include "libdepixel/stages/arc_batch.hpp"
 
 #include <algorithm>
 
@@ -28,8 +28,8 @@ struct Positions {
 
 DEPIXEL_VECTOR_CLONES void find_bends(const Roles& roles, int size, const Bends& bends,
                                       const Positions& nodes) {
-  constexpr float kReach = ContourBatch::kReach;
-  for (int i = ContourBatch::kGhosts; i < size - ContourBatch::kGhosts; i += kFloatLanes) {
+  constexpr float kReach = ArcBatch::kReach;
+  for (int i = ArcBatch::kGhosts; i < size - ArcBatch::kGhosts; i += kFloatLanes) {
     const Float8 free = load8(roles.mobility + i);
     const Float8 between_held = (1 - load8(roles.held + i - 1)) * (1 - load8(roles.held + i + 1));
     store8(bends.fine + i, free * between_held);
@@ -41,9 +41,9 @@ DEPIXEL_VECTOR_CLONES void find_bends(const Roles& roles, int size, const Bends&
 
 }  // namespace
 
-ContourBatch::Member& ContourBatch::add(const Contours& contours, const Contour& contour, bool interpolated) {
-  const int first = size + kGhosts;
-  size = first + contour.count + kGhosts;
+ArcBatch::Member& ArcBatch::add(std::span<const ShapeWord> words, ArcKind kind, int source) {
+  const int first = size + kGhosts, count = static_cast<int>(words.size());
+  size = first + count + kGhosts;
   if (static_cast<int>(x.size()) < size + 2 * kFloatLanes) {
     const std::size_t room = static_cast<std::size_t>(size) + size / 2 + 2 * kFloatLanes;
     for (auto* values : {&x, &y, &rest_x, &rest_y, &step_x, &step_y, &mobility, &held, &bends1, &bends2,
@@ -51,10 +51,12 @@ ContourBatch::Member& ContourBatch::add(const Contours& contours, const Contour&
       values->resize(room);
     }
     role.resize(room);
+    word.resize(room);
   }
-  members.push_back({first, contour.count, contour.closed, interpolated, contour.first});
-  for (int k = 0; k < contour.count; ++k) {
-    const glm::ivec2 step = kStep[contours.heading[contour.first + k]];
+  members.push_back({first, count, kind.closed, kind.interpolated, kind.rounds, source});
+  std::copy(words.begin(), words.end(), word.begin() + first);
+  for (int k = 0; k < count; ++k) {
+    const glm::ivec2 step = kStep[words[k].heading()];
     step_x[first + k] = static_cast<float>(step.x);
     step_y[first + k] = static_cast<float>(step.y);
   }
@@ -64,7 +66,7 @@ ContourBatch::Member& ContourBatch::add(const Contours& contours, const Contour&
   return member;
 }
 
-void ContourBatch::settle() {
+void ArcBatch::settle() {
   for (const Member& member : members) {
     fill_ghosts(member, mobility, 0.0f);
     fill_ghosts(member, held, 0.0f);
@@ -80,7 +82,7 @@ void ContourBatch::settle() {
   }
 }
 
-void ContourBatch::close(std::vector<float>& values_x, std::vector<float>& values_y) const {
+void ArcBatch::close(std::vector<float>& values_x, std::vector<float>& values_y) const {
   for (const Member& member : members) {
     if (!member.closed) continue;
     close_ghosts(member, values_x);
@@ -88,7 +90,7 @@ void ContourBatch::close(std::vector<float>& values_x, std::vector<float>& value
   }
 }
 
-void ContourBatch::find_knots(int from, int to) {
+void ArcBatch::find_knots(int from, int to) {
   knots_of(x.data(), step_x.data(), smoothness.data(), from, to, knot_x.data());
   knots_of(y.data(), step_y.data(), smoothness.data(), from, to, knot_y.data());
 }

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "libdepixel/core/memory.hpp"
+#include "libdepixel/stages/cell_graph.hpp"
+#include "libdepixel/stages/spline_table.hpp"
+
+namespace depixel {
+
+/// The curves of a frame's planar map, by lattice edge: numbers in a SplineTable. What lies where can be
+/// looked up, and what is equal has equal numbers mostly; so this is the form in which maps are changed and
+/// compared.
+struct EdgeMap {
+  Lattice lattice;
+  std::vector<int> curve;  ///< by edge_slot(); 0 where the edge is invisible
+
+  std::size_t memory_bytes() const { return held_bytes(curve); }
+};
+
+/// Calls visit(slot, number) for each step of an arc: the edge's slot and its curve's number.
+/// \param first_curve  SplineTable::curves_of() the arc.
+template <typename Visit>
+void for_each_edge(const Arcs& arcs, const Arc& arc, int first_curve, const std::array<int, 4>& step,
+                   Visit visit) {
+  const int* corner = arcs.corner.data() + arc.first;
+  const ShapeWord* word = arcs.word.data() + arc.first;
+  for (int k = 0, steps = arc.step_count(); k < steps; ++k) {
+    visit(edge_end(corner[k], word[k].heading(), step).slot, first_curve + k);
+  }
+}
+
+/// An edge at whose end, or ends, another contour goes through, and the curve that ends on that contour's.
+struct JoinedEdge {
+  int slot, curve;
+};
+
+/// Joins the contour that ends at a T-junction to the one that goes through: it ends on that one's knot.
+/// \param corner  a T-junction; the edges round it have their curves in the map, joined or not.
+/// Source: Schapfel, section 4.6.4 (figure 49).
+JoinedEdge join_at(int corner, const CellGraph& cells, const EdgeMap& map, SplineTable& table);
+
+}  // namespace depixel

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "libdepixel/core/memory.hpp"
+#include "libdepixel/core/workers.hpp"
+#include "libdepixel/stages/splines.hpp"
+
+namespace depixel {
+
+/// The splines of all different shapes of arcs. A frame has far fewer shapes than arcs, and the next frame
+/// has mostly the same ones, wherever they have moved to: so each shape is fitted once.
+///
+/// Curves are known by their number, which is never 0. Numbers stay good until clear().
+class SplineTable {
+ public:
+  SplineTable() { clear(); }
+
+  /// Forgets all shapes and curves.
+  void clear();
+
+  /// The number of the first of the curves that belong to an arc's steps; numbers follow each other. A shape
+  /// that is not known is added; its curves are set by fit_added().
+  int curves_of(std::span<const ShapeWord> words, ArcKind kind);
+  /// Fits splines to all shapes added since the last call. \return how many they were.
+  int fit_added(Smoothing smoothing, Workers& workers);
+
+  /// The number of a curve with other ends (see join()); of a known curve that was fitted.
+  int joined(int fitted, bool southwards, glm::i16vec2 p0, glm::i16vec2 p3);
+  /// The fitted curve that a joined one was made from; of a fitted curve, itself.
+  int fitted(int number) const { return fitted_[number]; }
+
+  const EdgeCurve& curve(int number) const { return curves_[number]; }
+  TileMask tiles(int number) const { return tiles_[number]; }
+  /// Curves held, joined ones among them.
+  std::size_t size() const { return curves_.size() - 1; }
+
+  std::size_t memory_bytes() const;
+
+ private:
+  struct Shape {
+    int first_word, count;
+    ArcKind kind;
+    int first_curve;
+
+    int step_count() const { return kind.closed ? count : count - 1; }
+  };
+
+  /// Numbers by hash, in open addressing; -1 where free.
+  class Index {
+   public:
+    void clear();
+    /// Finds an entry of this hash for which is_same(number) holds; where there is none, adds `number`.
+    template <typename IsSame>
+    int find_or_add(std::uint32_t hash, int number, IsSame is_same);
+    std::size_t memory_bytes() const { return held_bytes(entries_); }
+
+   private:
+    struct Entry {
+      std::uint32_t hash;
+      int number;
+    };
+    void grow();
+
+    std::vector<Entry> entries_;
+    std::size_t used_ = 0;
+  };
+
+  int add_curves(int count);
+
+  std::vector<ShapeWord> words_;
+  std::vector<Shape> shapes_;
+  std::size_t fitted_shapes_ = 0;  ///< shapes before this one have their curves
+  Index shape_index_, joined_index_;
+  std::vector<EdgeCurve> curves_;  ///< entry 0 is nobody's
+  std::vector<TileMask> tiles_;
+  std::vector<int> fitted_;
+  std::vector<ArcShape> added_;
+  std::vector<SplineFitter> fitters_;  ///< one a thread
+};
+
+}  // namespace depixel
