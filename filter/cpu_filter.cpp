@@ -1,28 +1,59 @@
+#include <cstring>
+#include <vector>
+
 #include "filter/frame_filter.hpp"
 #include "libdepixel/core/stopwatch.hpp"
-#include "libdepixel/raster/cpu_raster.hpp"
+#include "libdepixel/incremental/picture_updater.hpp"
 
 namespace depixel {
 namespace {
 
 class CpuFilter final : public FrameFilter {
  public:
+  tl::expected<void, Error> submit(const FrameView& frame, const Options& options) override {
+    auto submitted = FrameFilter::submit(frame, options);
+    if (has_frame_) changes_.add(vectorizer_.changes());
+    return submitted;
+  }
+
   tl::expected<void, Error> draw(const Target& target, const Viewport& viewport, const View& view) override {
     if (auto checked = check(target, viewport, view); !checked) return checked;
-    const auto* picture = std::get_if<PictureView>(&target);
+    const PictureView* picture = picture_of(target);
     if (picture == nullptr) {
       return tl::unexpected(Error{"The filter that draws by the processor draws to pictures only."});
     }
-    stats_.draw_ns = 0;
-    const Stopwatch time(stats_.draw_ns);
     const PictureView part{picture->pixels + viewport.y * picture->pitch + std::ptrdiff_t{4} * viewport.x,
                            viewport.width, viewport.height, picture->pitch};
-    raster_.draw(vectorizer_.map(), view, options_.linear_light, options_.threads, part);
+    const bool is_kept = std::holds_alternative<KeptPicture>(target);
+    {
+      stats_.draw_ns = 0;
+      const Stopwatch time(stats_.draw_ns);
+      updater_.draw(vectorizer_, changes_, view, options_.linear_light, options_.threads, part, is_kept);
+    }
+    changes_.set_nothing();
+    stats_.drawn_pixels = updater_.drawn_pixels();
+    stats_.moved_pixels = updater_.moved_pixels();
+    if (is_checking_) return compare_with_scratch(part, view);
     return {};
   }
 
  private:
-  CpuRaster raster_;
+  tl::expected<void, Error> compare_with_scratch(const PictureView& drawn, const View& view) const {
+    const std::size_t row = std::size_t{4} * drawn.width;
+    std::vector<std::uint8_t> pixels(row * drawn.height);
+    CpuRaster().draw(vectorizer_.map(), view, options_.linear_light, 1,
+                     {pixels.data(), drawn.width, drawn.height, static_cast<std::ptrdiff_t>(row)});
+    for (int y = 0; y < drawn.height; ++y) {
+      if (std::memcmp(drawn.pixels + y * drawn.pitch, pixels.data() + row * y, row) != 0) {
+        return tl::unexpected(
+            Error{"The picture that was drawn incrementally is not the one drawn from scratch."});
+      }
+    }
+    return {};
+  }
+
+  PictureUpdater updater_;
+  MapChanges changes_;  ///< since the last draw()
 };
 
 }  // namespace

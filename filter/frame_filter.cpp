@@ -30,20 +30,31 @@ tl::expected<void, Error> FrameFilter::submit(const FrameView& frame, const Opti
   options_ = options;
   vectorizer_.vectorize(frame, options);
   has_frame_ = true;
+  if (is_checking_) {
+    Vectorizer scratch;
+    if (!(scratch.vectorize(frame, options) == vectorizer_.map())) {
+      return refuse("The map that was made incrementally is not the one made from scratch.");
+    }
+  }
   return {};
+}
+
+const PictureView* picture_of(const Target& target) {
+  if (const auto* kept = std::get_if<KeptPicture>(&target)) return &kept->picture;
+  return std::get_if<PictureView>(&target);
 }
 
 tl::expected<void, Error> FrameFilter::check(const Target& target, const Viewport& viewport,
                                              const View& view) const {
   if (!has_frame_) return refuse("There is no frame to draw yet.");
   if (viewport.width < 0 || viewport.height < 0) return refuse("A viewport cannot be smaller than nothing.");
-  const auto* picture = std::get_if<PictureView>(&target);
+  const PictureView* picture = picture_of(target);
   if (picture != nullptr && !is_inside(viewport, *picture)) {
     return refuse(fmt::format("A viewport of {} x {} pixels at {}, {} is not inside a picture of {} x {}.",
                               viewport.width, viewport.height, viewport.x, viewport.y, picture->width,
                               picture->height));
   }
-  const Lattice& lattice = vectorizer_.map().lattice;
+  const Lattice& lattice = vectorizer_.lattice();
   const auto in_range = [](double scale, double origin, int size) {
     return scale > 0 && std::abs(origin * scale) < kLargestCoordinate &&
            std::abs((size - origin) * scale) < kLargestCoordinate;

@@ -9,7 +9,7 @@
 #include "libdepixel/core/error.hpp"
 #include "libdepixel/core/frame_view.hpp"
 #include "libdepixel/core/options.hpp"
-#include "libdepixel/pipeline/vectorizer.hpp"
+#include "libdepixel/incremental/incremental_vectorizer.hpp"
 #include "libdepixel/raster/view.hpp"
 
 namespace depixel {
@@ -23,8 +23,17 @@ struct GlFramebuffer {
   unsigned name = 0;
 };
 
+/// A picture in memory that nobody but the filter writes to: where it still holds what the last draw() drew,
+/// only what changed since then is written. Its owner must not change it between two calls.
+struct KeptPicture {
+  PictureView picture;
+};
+
 /// What is drawn to: a picture in memory, or a framebuffer.
-using Target = std::variant<PictureView, GlFramebuffer>;
+using Target = std::variant<PictureView, KeptPicture, GlFramebuffer>;
+
+/// The picture that a target is, or nullptr where it is none.
+const PictureView* picture_of(const Target& target);
 
 /// The rectangle of a target that is drawn over, in its pixels. Zero wide or high: nothing is drawn.
 struct Viewport {
@@ -37,15 +46,17 @@ struct FilterStats {
   std::int64_t submit_ns = 0;  ///< all of submit()
   std::int64_t prepare_ns =
       0;  ///< by the processor, for drawing: lines, tiles and uploads; 0 if there was nothing to do
-  std::int64_t draw_ns = 0;      ///< the rest of draw(); of OpenGL, only until the commands were given
-  std::int64_t lines = 0;        ///< in tiles, of the OpenGL filter
-  std::size_t upload_bytes = 0;  ///< sent to OpenGL by the last preparation
+  std::int64_t draw_ns = 0;       ///< the rest of draw(); of OpenGL, only until the commands were given
+  std::int64_t lines = 0;         ///< in tiles, of the OpenGL filter
+  std::size_t upload_bytes = 0;   ///< sent to OpenGL by the last preparation
+  std::int64_t drawn_pixels = 0;  ///< by the processor
+  std::int64_t moved_pixels = 0;  ///< by the processor: those copied from elsewhere in a kept picture
 };
 
 /// Turns frames to vector pictures and draws them: the one class that front ends use.
 ///
-/// Frames are submitted, each replaces the one before; then views of it are drawn, as many as wanted. Both
-/// kinds of filter draw the same picture, within a few levels.
+/// Frames are submitted, each replaces the one before, and only what changed is computed anew; then views of
+/// it are drawn, as many as wanted. Both kinds of filter draw the same picture, within a few levels.
 class FrameFilter {
  public:
   /// The smallest zoom that OpenGL draws, in output pixels to a source pixel along either axis: a fragment
@@ -79,16 +90,21 @@ class FrameFilter {
   /// made anew, on the context that is current then, by the next draw().
   virtual void context_lost() {}
 
+  /// A debugging aid: submit() and draw() compare what they made incrementally with what is made from
+  /// scratch, and return an error where it differs. Slow.
+  void check_incremental(bool wanted) { is_checking_ = wanted; }
+
   /// Of the frame submitted last.
-  const Vectorizer& vectorizer() const { return vectorizer_; }
+  const IncrementalVectorizer& vectorizer() const { return vectorizer_; }
   const FilterStats& stats() const { return stats_; }
 
  protected:
   /// Checks what draw() is asked for.
   tl::expected<void, Error> check(const Target& target, const Viewport& viewport, const View& view) const;
 
-  Vectorizer vectorizer_;
+  IncrementalVectorizer vectorizer_;
   Options options_;
+  bool is_checking_ = false;
   bool has_frame_ = false;
   FilterStats stats_;
 };

@@ -66,8 +66,10 @@ class GlFilter final : public FrameFilter {
   }
 
   tl::expected<void, Error> submit(const FrameView& frame, const Options& options) override {
-    uploaded_ = false;
-    return FrameFilter::submit(frame, options);
+    const bool is_light_same = options.linear_light == options_.linear_light;
+    auto submitted = FrameFilter::submit(frame, options);
+    if (vectorizer_.changes().any() || !is_light_same) uploaded_ = false;
+    return submitted;
   }
 
   tl::expected<void, Error> draw(const Target& target, const Viewport& viewport, const View& view) override {
@@ -86,7 +88,7 @@ class GlFilter final : public FrameFilter {
     const GlStateGuard guard(gl_);
     if (auto prepared = prepare({view.scale_x, view.scale_y}); !prepared) return prepared;
     const Stopwatch time(stats_.draw_ns);
-    const auto* picture = std::get_if<PictureView>(&target);
+    const PictureView* picture = picture_of(target);
     auto drawn = picture != nullptr ? draw_to_picture(*picture, viewport, view)
                                     : draw_to(std::get<GlFramebuffer>(target), viewport, view);
     if (!drawn) return drawn;

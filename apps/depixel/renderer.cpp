@@ -89,7 +89,7 @@ tl::expected<void, Error> Renderer::draw_picture(const FrameView& frame, OutputS
     paint_stage(make_stage_drawing(*arguments_->stage, frame, arguments_->options), picture_.target());
     return {};
   }
-  const Lattice& lattice = filter_->vectorizer().map().lattice;
+  const Lattice& lattice = filter_->vectorizer().lattice();
   return filter_->draw(picture_.target(), {0, 0, size.width, size.height},
                        View::fit(lattice, size.width, size.height));
 }

@@ -25,13 +25,13 @@ glm::dvec2 on_curve(glm::dvec2 p0, const OutlinePiece& piece, double t) {
 
 }  // namespace
 
-void ComponentFinder::take(const Vectorizer& vectorizer, std::uint64_t version) {
+void ComponentFinder::take(const PlanarMap& map, const SimilarityGraph& graph, std::uint64_t version) {
   if (version_ == version) return;
   version_ = version;
-  lattice_ = vectorizer.map().lattice;
-  colours_ = vectorizer.map().colours;
-  label_components(vectorizer.graph(), components_);
-  trace_outlines(vectorizer.map(), vectorizer.graph(), components_, outlines_);
+  lattice_ = map.lattice;
+  colours_ = map.colours;
+  label_components(graph, components_);
+  trace_outlines(map, graph, components_, outlines_);
 }
 
 std::optional<FoundComponent> ComponentFinder::at(glm::dvec2 point) const {

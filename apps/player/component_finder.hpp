@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "libdepixel/core/color.hpp"
-#include "libdepixel/pipeline/vectorizer.hpp"
 #include "libdepixel/stages/components.hpp"
 #include "libdepixel/stages/outlines.hpp"
+#include "libdepixel/stages/similarity_graph.hpp"
 
 namespace depixel {
 
@@ -25,7 +25,7 @@ class ComponentFinder {
  public:
   /// Takes the frame that was vectorized last. \param version  another one for every other frame or options;
   /// nothing is done if it is the one of before. Cost: linear in pixels and segments.
-  void take(const Vectorizer& vectorizer, std::uint64_t version);
+  void take(const PlanarMap& map, const SimilarityGraph& graph, std::uint64_t version);
 
   /// \param point  in source pixels. \return none outside of the picture.
   std::optional<FoundComponent> at(glm::dvec2 point) const;

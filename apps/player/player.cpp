@@ -169,7 +169,7 @@ void Player::set_whole_scales(bool whole) {
 
 void Player::save_svg() {
   if (!frame_) return;
-  const Vectorizer& vectorizer = canvas_->filter().vectorizer();
+  const IncrementalVectorizer& vectorizer = canvas_->filter().vectorizer();
   const std::string svg =
       stage ? write_stage_svg(make_stage_drawing(*stage, frame_->picture.view(), settings.options))
             : write_svg(vectorizer.map(), vectorizer.graph());
@@ -213,7 +213,8 @@ void Player::say(std::string message) {
 
 std::optional<FoundComponent> Player::component_at(glm::dvec2 point) {
   if (!frame_) return std::nullopt;
-  components_.take(canvas_->filter().vectorizer(), canvas_->submissions());
+  const IncrementalVectorizer& vectorizer = canvas_->filter().vectorizer();
+  components_.take(vectorizer.map(), vectorizer.graph(), canvas_->submissions());
   return components_.at(point);
 }
 

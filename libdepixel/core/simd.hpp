@@ -107,6 +107,24 @@ constexpr int kWordLanes = 4;
 using Byte16 = std::uint8_t __attribute__((vector_size(16)));
 using Word4 = std::uint32_t __attribute__((vector_size(16)));
 
+/// Sixteen words of at most 255 as bytes, in order.
+inline Byte16 pack_words(Word4 a, Word4 b, Word4 c, Word4 d) {
+#ifdef __SSE2__
+  const auto low = _mm_packs_epi32(reinterpret_cast<__m128i>(a), reinterpret_cast<__m128i>(b));
+  const auto high = _mm_packs_epi32(reinterpret_cast<__m128i>(c), reinterpret_cast<__m128i>(d));
+  return reinterpret_cast<Byte16>(_mm_packus_epi16(low, high));
+#else
+  Byte16 bytes;
+  for (int i = 0; i < kWordLanes; ++i) {
+    bytes[i] = static_cast<std::uint8_t>(a[i]);
+    bytes[i + kWordLanes] = static_cast<std::uint8_t>(b[i]);
+    bytes[i + 2 * kWordLanes] = static_cast<std::uint8_t>(c[i]);
+    bytes[i + 3 * kWordLanes] = static_cast<std::uint8_t>(d[i]);
+  }
+  return bytes;
+#endif
+}
+
 /// One bit of each of sixteen bytes, the first byte's lowest.
 inline std::uint32_t gather_bits(Byte16 bytes, int bit) {
 #ifdef __SSE2__

@@ -37,6 +37,8 @@ const PlanarMap& Vectorizer::vectorize(const FrameView& frame, const Options& op
   stats_.nodes = static_cast<int>(contours_.corner.size());
   stats_.arcs = static_cast<int>(arcs_.list.size());
   stats_.segments = static_cast<int>(map_.segments.size());
+  stats_.changed_pixels = stats_.changed_tiles = stats_.pixels;
+  stats_.stale_corners = (frame.width + 1) * (frame.height + 1);
   stats_.memory_bytes = memory_bytes();
   return map_;
 }

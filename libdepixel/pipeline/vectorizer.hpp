@@ -26,7 +26,13 @@ struct VectorizeStats {
   std::array<std::int64_t, kStages> stage_ns{};  ///< wall-clock nanoseconds
   int pixels = 0, crossings = 0, contours = 0, nodes = 0, segments = 0;
   int arcs = 0, fitted_shapes = 0;  ///< arcs whose shape was known already need no fitting
-  std::size_t memory_bytes = 0;     ///< held by all stages' arrays, between frames
+  /// Of incremental vectorizing, where the counts above are of what was done for the frame, but for segments;
+  /// from scratch, all is new.
+  int changed_pixels = 0;        ///< that differ from the frame before
+  int stale_corners = 0;         ///< lattice corners, and so 2x2 blocks, whose contours were traced again
+  int changed_tiles = 0;         ///< tiles, one a pixel, in which the map is new
+  int moved_tiles = 0;           ///< tiles in which the map is what it was elsewhere
+  std::size_t memory_bytes = 0;  ///< held by all stages' arrays, between frames
 };
 
 /// Measures the stages of a frame, one after the other.

@@ -25,14 +25,16 @@ class BandSums {
 
   static constexpr int kRows = 16;
 
-  /// Sets the width of rows, in output pixels; keeps all else when it stays.
+  /// Sets the width of rows, in output pixels. Between bands only, when all rows have been resolved.
   void resize(int width) {
-    if (width == width_) return;
     width_ = width;
     right_ = width * kRasterSubpixels;
     words_ = width / kWordPixels + 1;
+    if (width <= capacity_) return;
+    capacity_ = width;
+    word_capacity_ = words_;
     sums_.assign(std::size_t{kRows} * stride(), Sums{});
-    touched_.assign(std::size_t{kRows} * words_, 0);
+    touched_.assign(std::size_t{kRows} * word_capacity_, 0);
   }
 
   /// Starts a band: output rows first_row .. first_row + rows - 1.
@@ -72,22 +74,26 @@ class BandSums {
   }
 
   /// Turns the sums of a row of the band into pixels, and clears them.
-  void resolve(int row, std::uint8_t* out) {
-    RowState state{sums_.data() + row * stride(), out, Sums{}, Model::decode(Sums{}), 0};
-    std::uint64_t* touched = touched_.data() + std::size_t(row) * words_;
+  void resolve(int row, std::uint8_t* out) { resolve(row, out, Sums{}, 0, width_); }
+
+  /// The same for a part of the row: only pixels from .. to - 1 are written.
+  /// \param before  the sum of all sums left of the row.
+  void resolve(int row, std::uint8_t* out, Sums before, int from, int to) {
+    RowState state{sums_.data() + row * stride(), out, before, Model::decode(before), from, to};
+    std::uint64_t* touched = touched_.data() + std::size_t(row) * word_capacity_;
     for (int word = 0; word < words_; ++word) {
       const std::uint64_t bits = touched[word];
       if (bits == 0) continue;
       touched[word] = 0;
       const int first = word * kWordPixels;
-      if (first + kWordPixels <= width_ && is_crowded(bits)) {
+      if (first >= from && first + kWordPixels <= to && is_crowded(bits)) {
         fill(state, first);
         resolve_all(state, first);
       } else {
         resolve_touched(state, first, bits);
       }
     }
-    fill(state, width_);
+    fill(state, to);
   }
 
  private:
@@ -95,15 +101,16 @@ class BandSums {
   static constexpr int kSub = kRasterSubpixels;
   static constexpr int kSubBits = std::countr_zero(static_cast<unsigned>(kSub));
 
-  std::size_t stride() const { return static_cast<std::size_t>(width_) + 1; }
+  std::size_t stride() const { return static_cast<std::size_t>(capacity_) + 1; }
 
-  /// How far a row has been resolved: pixels before `done` are written, `running` is the sum of their sums.
+  /// How far a row has been resolved: pixels before `done` are written, or are not to be, and so are those
+  /// from `end` on; `running` is the sum of the sums so far.
   struct RowState {
     Sums* sums;
     std::uint8_t* out;
     Sums running;
     Rgba colour;
-    int done;
+    int done, end;
   };
 
   /// True where taking all of a word's pixels one by one is faster than looking for those touched.
@@ -118,7 +125,7 @@ class BandSums {
     if (state.done >= to) return;
     const Word4 four = Word4{} + std::bit_cast<std::uint32_t>(state.colour);
     int x = state.done;
-    for (; x < to && x + kWordLanes <= width_; x += kWordLanes)
+    for (; x < to && x + kWordLanes <= state.end; x += kWordLanes)
       store_vector(state.out + 4 * std::size_t(x), four);
     for (; x < to; ++x) std::memcpy(state.out + 4 * std::size_t(x), &state.colour, sizeof state.colour);
     state.done = to;
@@ -127,14 +134,15 @@ class BandSums {
   void resolve_touched(RowState& state, int first, std::uint64_t bits) const {
     for (; bits != 0; bits &= bits - 1) {
       const int x = first + std::countr_zero(bits);
-      if (x >= width_) {
-        state.sums[x] = Sums{};  // what a line in the last column left for the next
-        return;
+      if (x >= state.end) {
+        state.sums[x] = Sums{};  // at the row's end, what a line in the last column left for the next
+        continue;
       }
       fill(state, x);
       state.running += state.sums[x];
       state.sums[x] = Sums{};
       state.colour = Model::decode(state.running);
+      if (x < state.done) continue;
       std::memcpy(state.out + 4 * std::size_t(x), &state.colour, sizeof state.colour);
       state.done = x + 1;
     }
@@ -232,10 +240,12 @@ class BandSums {
   }
 
   void touch(int row, int column) {
-    touched_[std::size_t(row) * words_ + column / kWordPixels] |= std::uint64_t{1} << column % kWordPixels;
+    touched_[std::size_t(row) * word_capacity_ + column / kWordPixels] |= std::uint64_t{1}
+                                                                          << column % kWordPixels;
   }
 
   int width_ = 0, right_ = 0, words_ = 0;
+  int capacity_ = -1, word_capacity_ = 0;  ///< of the arrays, in pixels and words a row
   int top_ = 0, bottom_ = 0;
   std::vector<Sums> sums_;
   std::vector<std::uint64_t> touched_;

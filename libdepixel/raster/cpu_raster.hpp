@@ -4,11 +4,20 @@
 #include <vector>
 
 #include "libdepixel/core/frame_view.hpp"
+#include "libdepixel/core/workers.hpp"
 #include "libdepixel/raster/band_sums.hpp"
-#include "libdepixel/raster/view.hpp"
+#include "libdepixel/raster/output_grid.hpp"
 #include "libdepixel/stages/planar_map.hpp"
 
 namespace depixel {
+
+/// Sums for each way to blend, one a thread.
+using BandSumsOfModels =
+    std::tuple<std::vector<BandSums<OpaqueColour>>, std::vector<BandSums<OpaqueLight>>,
+               std::vector<BandSums<Translucent<false>>>, std::vector<BandSums<Translucent<true>>>>;
+
+/// True where no pixel of a frame lets anything through.
+bool is_opaque(const Lattice& lattice, const std::vector<Rgba>& colours);
 
 /// Draws planar maps with exact box-filter anti-aliasing. Sums are integers, so the result is bit-identical
 /// whatever the order of work, the number of threads and the compiler. Keeps its buffers from call to call.
@@ -21,25 +30,25 @@ class CpuRaster {
   void draw(const PlanarMap& map, const View& view, bool linear_light, int threads,
             const PictureView& target);
 
+  std::size_t memory_bytes() const;
+
  private:
-  struct Job;
   struct BandRange {
     int from, to;  ///< bands that a segment touches, both included; none when from > to
   };
 
-  void sort_into_bands(const Job& job, int bands);
+  void sort_into_bands(const PlanarMap& map, const OutputGrid& grid, int bands);
   template <typename Model>
-  void draw_bands(const Job& job, int bands, int threads);
+  void draw_bands(const PlanarMap& map, const OutputGrid& grid, int bands);
   template <typename Model>
-  void draw_band(const Job& job, int band, BandSums<Model>& sums) const;
+  void draw_band(const PlanarMap& map, const OutputGrid& grid, int band, BandSums<Model>& sums) const;
 
+  Workers workers_;
   std::vector<BandRange> ranges_;  ///< by segment
   std::vector<int> order_;         ///< segments, band after band
   std::vector<int> first_;         ///< of each band in order_, and the end
   std::vector<int> next_;
-  std::tuple<std::vector<BandSums<OpaqueColour>>, std::vector<BandSums<OpaqueLight>>,
-             std::vector<BandSums<Translucent<false>>>, std::vector<BandSums<Translucent<true>>>>
-      sums_;  ///< of each model, one a thread
+  BandSumsOfModels sums_;
 };
 
 }  // namespace depixel

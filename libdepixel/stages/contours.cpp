@@ -79,19 +79,14 @@ class Tracer {
   }
 
   void trace_through(std::span<const int> corners) {
-    contours_.traced.resize(cells_.lattice.size());
+    contours_.traced.assign(cells_.lattice.size(), 0);
     for (const int corner : corners) trace_ending_at(corner);
     for (const int corner : corners) {
-      for (const Direction d : kDirections) {
-        if (cells_.corners[corner].is_visible(d) && is_untraced(corner, d)) trace_passing(corner, d);
+      while (const unsigned edges = untraced_edges(corner)) {
+        trace_passing(corner, static_cast<Direction>(std::countr_zero(edges)));
       }
     }
     finish();
-    for (const Contour& contour : contours_.list) {
-      for (int node = contour.first; node < contour.first + contour.step_count(); ++node) {
-        contours_.traced[owner(contours_.corner[node], static_cast<Direction>(contours_.heading[node]))] = 0;
-      }
-    }
   }
 
  private:
@@ -104,6 +99,15 @@ class Tracer {
   }
   bool is_untraced(int corner, Direction heading) const {
     return (contours_.traced[owner(corner, heading)] & owner_bit(heading)) == 0;
+  }
+
+  /// Mask of the visible edges round a corner that are not traced.
+  unsigned untraced_edges(int corner) const {
+    const std::uint8_t* traced = contours_.traced.data() + corner;
+    const int done = (traced[0] & (1 << kEast | 1 << kSouth)) |
+                     (traced[step_[kNorth]] >> kSouth & 1) << kNorth |
+                     (traced[step_[kWest]] >> kEast & 1) << kWest;
+    return static_cast<unsigned>(cells_.corners[corner].visible_edges() & ~done);
   }
 
   /// Appends nodes from a corner on, until the contour ends or comes back to its start. Works on local

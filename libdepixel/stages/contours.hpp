@@ -37,8 +37,7 @@ void trace_contours(const CellGraph& cells, Contours& contours);
 
 /// Groups just the visible edges of those contours that pass through some corners, each as trace_contours()
 /// does; in any order. Corners may be named more than once.
-/// \param contours  overwritten. Its scratch must be as the last call of this function left it, or zero.
-/// Cost: linear in the steps of these contours.
+/// Cost: linear in the steps of these contours, and that of clearing a byte a corner.
 void trace_contours_through(const CellGraph& cells, std::span<const int> corners, Contours& contours);
 
 }  // namespace depixel

@@ -48,12 +48,13 @@ Word4 exact_links(const Rgba* row, int stride) {
   return links & ~(equal(links, Word4{} + kAll) & kBothDiagonals);
 }
 
-/// A row of blocks, four at a time; may write up to three entries beyond the row, into the padding.
+/// A row of blocks, sixteen at a time; may write up to fifteen entries beyond the row, into the padding.
 template <bool kFreeze>
 void link_exact_row(const Rgba* row, int stride, int count, std::uint8_t* links) {
-  for (int x = 0; x < count; x += kWordLanes) {
-    const Word4 four = exact_links<kFreeze>(row + x, stride);
-    for (int lane = 0; lane < kWordLanes; ++lane) links[x + lane] = static_cast<std::uint8_t>(four[lane]);
+  constexpr int kAtOnce = sizeof(Byte16);
+  for (int x = 0; x < count; x += kAtOnce) {
+    const auto four = [&](int k) { return exact_links<kFreeze>(row + x + k * kWordLanes, stride); };
+    store_vector(links + x, pack_words(four(0), four(1), four(2), four(3)));
   }
 }
 
@@ -77,7 +78,7 @@ void link_rows(const SimilarityGraph& graph, int first_row, int end_row, LinkRow
     std::uint8_t* links = all_links.data() + first;
     link_row(graph.pixels.data() + first, lattice.stride(), width, links);
     links[width - 1] &= kWestSide;
-    std::fill_n(links + width, kWordLanes - 1, std::uint8_t{0});
+    std::fill_n(links + width, sizeof(Byte16) - 1, std::uint8_t{0});
     if (y + 1 == height) {
       for (int x = 0; x < width; ++x) links[x] &= kNorthSide;
     }

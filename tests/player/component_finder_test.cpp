@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "apps/common/picture.hpp"
+#include "libdepixel/pipeline/vectorizer.hpp"
 
 namespace depixel {
 namespace {
@@ -22,7 +23,7 @@ TEST(ComponentFinder, FindsWhatLiesUnderAPoint) {
   Vectorizer vectorizer;
   vectorizer.vectorize(square().view(), {});
   ComponentFinder finder;
-  finder.take(vectorizer, 1);
+  finder.take(vectorizer.map(), vectorizer.graph(), 1);
   const auto ink = finder.at({3, 3}), paper = finder.at({0.5, 5.5});
   ASSERT_TRUE(ink && paper);
   EXPECT_EQ(ink->colour, kInk);
@@ -42,7 +43,7 @@ TEST(ComponentFinder, FollowsCurvesNotPixels) {
   Vectorizer vectorizer;
   vectorizer.vectorize(dot.view(), {});
   ComponentFinder finder;
-  finder.take(vectorizer, 1);
+  finder.take(vectorizer.map(), vectorizer.graph(), 1);
   EXPECT_EQ(finder.at({1.5, 1.5})->colour, kInk);
   EXPECT_EQ(finder.at({1.02, 1.02})->colour, kPaper);
 }
@@ -51,13 +52,13 @@ TEST(ComponentFinder, TakesOtherVersionsOnly) {
   Vectorizer vectorizer;
   ComponentFinder finder;
   vectorizer.vectorize(square().view(), {});
-  finder.take(vectorizer, 1);
+  finder.take(vectorizer.map(), vectorizer.graph(), 1);
   Picture plain(6, 6);
   for (int i = 0; i < 36; ++i) plain.at(i % 6, i / 6) = kPaper;
   vectorizer.vectorize(plain.view(), {});
-  finder.take(vectorizer, 1);
+  finder.take(vectorizer.map(), vectorizer.graph(), 1);
   EXPECT_EQ(finder.at({3, 3})->size_px, 4);
-  finder.take(vectorizer, 2);
+  finder.take(vectorizer.map(), vectorizer.graph(), 2);
   EXPECT_EQ(finder.at({3, 3})->size_px, 36);
 }
 

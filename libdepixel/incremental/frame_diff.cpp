@@ -1,0 +1,76 @@
+#include "libdepixel/incremental/frame_diff.hpp"
+
+#include <bit>
+#include <cstring>
+
+#include "libdepixel/core/simd.hpp"
+
+namespace depixel {
+namespace {
+
+Rgba pixel_at(const std::uint8_t* row, int x) {
+  Rgba pixel;
+  std::memcpy(&pixel, row + sizeof(Rgba) * x, sizeof pixel);
+  return normalized(pixel);
+}
+
+Word4 normalized_pixels(const std::uint8_t* row, int x) {
+  constexpr auto kAlpha = std::bit_cast<std::uint32_t>(Rgba{0, 0, 0, 255});
+  const auto four = load_vector<Word4>(row + sizeof(Rgba) * x);
+  const Word4 visible = (four & kAlpha) != 0;
+  return four & visible;
+}
+
+/// Whether four pixels of a frame are the known ones.
+bool are_known(const std::uint8_t* row, const Rgba* known, int x) {
+  const Word4 differing = normalized_pixels(row, x) ^ load_vector<Word4>(known + x);
+  std::array<std::uint64_t, 2> halves;
+  std::memcpy(halves.data(), &differing, sizeof differing);
+  return (halves[0] | halves[1]) == 0;
+}
+
+Span changed_part(const std::uint8_t* row, const Rgba* known, int width) {
+  int from = 0;
+  while (from + kWordLanes <= width && are_known(row, known, from)) from += kWordLanes;
+  while (from < width && pixel_at(row, from) == known[from]) ++from;
+  if (from == width) return {};
+  int to = width;
+  while (to - kWordLanes >= from && are_known(row, known, to - kWordLanes)) to -= kWordLanes;
+  while (pixel_at(row, to - 1) == known[to - 1]) --to;
+  return {from, to};
+}
+
+/// Copies a part of a row. \return how many pixels differed.
+int take_over(const std::uint8_t* row, Rgba* known, Span span) {
+  int x = span.from;
+  Word4 counts{};
+  for (; x + kWordLanes <= span.to; x += kWordLanes) {
+    const Word4 four = normalized_pixels(row, x);
+    counts -= reinterpret_cast<Word4>(four != load_vector<Word4>(known + x));
+    store_vector(known + x, four);
+  }
+  auto count = static_cast<int>(counts[0] + counts[1] + counts[2] + counts[3]);
+  for (; x < span.to; ++x) {
+    count += pixel_at(row, x) == known[x] ? 0 : 1;
+    known[x] = pixel_at(row, x);
+  }
+  return count;
+}
+
+}  // namespace
+
+int take_changed_pixels(const FrameView& frame, SimilarityGraph& graph, RowSpans& changed) {
+  changed.reset(frame.height);
+  int count = 0;
+  for (int y = 0; y < frame.height; ++y) {
+    const std::uint8_t* row = frame.pixels + y * frame.pitch;
+    Rgba* known = graph.pixels.data() + graph.lattice.pixel(0, y);
+    if (std::memcmp(row, known, sizeof(Rgba) * frame.width) == 0) continue;
+    const Span span = changed_part(row, known, frame.width);
+    count += take_over(row, known, span);
+    changed.set(y, span);
+  }
+  return count;
+}
+
+}  // namespace depixel

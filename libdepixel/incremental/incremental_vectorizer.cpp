@@ -1,0 +1,347 @@
+#include "libdepixel/incremental/incremental_vectorizer.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+namespace depixel {
+namespace {
+
+/// Curves that the table holds at most, for each pixel of the frame, before it is made anew.
+constexpr std::size_t kCurvesAPixel = 3, kFewestCurves = std::size_t{1} << 15;
+
+/// Where more than this part of the pixels changed, the map is taken to be new everywhere unless moves are
+/// found: looking where it is costs more than it saves.
+constexpr double kMostChanged = 0.6;
+
+/// The options that vectorizing depends on; others are set to a common value.
+Options of_vectorizing(Options options) {
+  options.linear_light = false;
+  options.threads = 1;
+  return options;
+}
+
+template <typename Value>
+void copy_span(const Lattice& lattice, const RowSpans& spans, const std::vector<Value>& from,
+               std::vector<Value>& to) {
+  for (int y = 0; y < spans.rows(); ++y) {
+    const int first = lattice.pixel(spans[y].from, y);
+    std::copy_n(from.begin() + first, spans[y].length(), to.begin() + first);
+  }
+}
+
+void set_all(const Lattice& lattice, RowSpans& spans) {
+  spans.reset(lattice.height());
+  for (int y = 0; y < lattice.height(); ++y) spans.set(y, {0, lattice.width()});
+}
+
+}  // namespace
+
+void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& options) {
+  StageClock clock(stats_);
+  workers_.set_threads(options.threads);
+  const Lattice lattice(frame.width, frame.height);
+  const bool is_known = options_ && *options_ == of_vectorizing(options) && graph_.lattice == lattice &&
+                        table_.size() <= std::max(kFewestCurves, kCurvesAPixel * lattice.size());
+  options_ = of_vectorizing(options);
+  if (is_known) {
+    keep_before();
+  } else {
+    forget(lattice);
+  }
+  stats_.changed_pixels = take_changed_pixels(frame, graph_, changed_pixels_);
+  stats_.stale_corners = stats_.contours = stats_.nodes = stats_.arcs = stats_.fitted_shapes = 0;
+  if (!is_known) set_all(lattice, changed_pixels_);
+  if (is_known && stats_.changed_pixels == 0) {
+    changes_.set_nothing();
+    clock.finish(0);
+    return;
+  }
+  is_map_made_ = false;
+  relink(frame);
+  clock.finish(0);
+
+  resolve();
+  clock.finish(1);
+
+  recolour();
+  encode();
+  find_thin();
+  clock.finish(2);
+
+  trace();
+  clock.finish(3);
+
+  fit();
+  join();
+  clock.finish(4);
+
+  if (is_known) {
+    compare();
+  } else {
+    changes_.everything = true;
+  }
+  clock.finish(5);
+
+  stats_.pixels = frame.width * frame.height;
+  stats_.changed_tiles = changes_.everything ? stats_.pixels : changes_.new_tiles;
+  stats_.moved_tiles = changes_.everything ? 0 : changes_.moved_tiles;
+  stats_.memory_bytes = memory_bytes();
+}
+
+/// All that was known is void.
+void IncrementalVectorizer::forget(const Lattice& lattice) {
+  graph_.lattice = {};
+  graph_.resize(lattice);
+  frozen_links_.assign(lattice.size(), 0);
+  links_before_.assign(lattice.size(), 0);
+  cells_.lattice = {};
+  cells_.resize(lattice);
+  colours_before_.assign(lattice.size(), Rgba{});
+  thin_.assign(lattice.size() + sizeof(std::uint64_t) * 2, 0);
+  table_.clear();
+  votes_.clear();
+  edges_.lattice = lattice;
+  edges_.curve.assign(2 * std::size_t(lattice.size()), 0);
+  curves_before_ = edges_.curve;
+  is_slot_set_.assign(edges_.curve.size(), 0);
+  set_slots_.clear();
+  stats_.segments = 0;
+}
+
+/// What is of this frame becomes that of the frame before. The next frame's is the same until it changes.
+void IncrementalVectorizer::keep_before() {
+  for (const int slot : set_slots_) {
+    curves_before_[slot] = edges_.curve[slot];
+    is_slot_set_[slot] = 0;
+  }
+  set_slots_.clear();
+  copy_span(graph_.lattice, changed_colours_, cells_.colours, colours_before_);
+  changed_colours_.reset(graph_.lattice.height());
+}
+
+bool IncrementalVectorizer::has_whole_components() const {
+  return options_->similarity == Similarity::merge || options_->connect_lines;
+}
+
+/// Rule::links_by_pixels.
+void IncrementalVectorizer::relink(const FrameView& frame) {
+  const Lattice& lattice = graph_.lattice;
+  if (has_whole_components()) {
+    build_similarity_graph(frame, options_->similarity, options_->connect_lines, graph_);
+    frozen_links_ = graph_.links;
+    set_all(lattice, changed_frozen_);
+    return;
+  }
+  changed_frozen_.reset(lattice.height());
+  row_before_.resize(lattice.width());
+  for (int y = 0; y < lattice.height(); ++y) {
+    // The block row reads the pixels of this row and the next.
+    const bool is_stale = !changed_pixels_.is_empty(y) ||
+                          (rules_.has(Rule::links_by_pixels) && !changed_pixels_.is_empty(y + 1));
+    if (!is_stale) continue;
+    const std::uint8_t* row = frozen_links_.data() + lattice.pixel(0, y);
+    std::copy_n(row, lattice.width(), row_before_.begin());
+    link_exact_rows(graph_, y, y + 1, frozen_links_);
+    changed_frozen_.set(y, differing_part(row, row_before_.data(), lattice.width()));
+  }
+}
+
+/// Rule::crossings_by_links.
+void IncrementalVectorizer::resolve() {
+  const Lattice& lattice = graph_.lattice;
+  changed_links_.reset(lattice.height());
+  if (!changed_frozen_.any()) return;
+  if (!rules_.has(Rule::crossings_by_links)) return;
+  if (!has_whole_components()) graph_.links = frozen_links_;
+  const CrossingVotes votes{options_->curve_weight, options_->sparse_weight, options_->island_weight};
+  stats_.crossings = resolve_crossings(graph_, votes, crossings_);
+  for (int y = 0; y < lattice.height(); ++y) {
+    const int first = lattice.pixel(0, y);
+    const std::uint8_t *now = graph_.links.data() + first, *before = links_before_.data() + first;
+    if (std::memcmp(now, before, lattice.width()) == 0) continue;
+    changed_links_.set(y, differing_part(now, before, lattice.width()));
+  }
+  copy_span(lattice, changed_links_, graph_.links, links_before_);
+}
+
+void IncrementalVectorizer::recolour() {
+  const Lattice& lattice = graph_.lattice;
+  if (!has_whole_components()) {
+    changed_colours_ = changed_pixels_;
+    copy_span(lattice, changed_colours_, graph_.pixels, cells_.colours);
+    return;
+  }
+  label_components(graph_, components_);
+  find_majority_colours(graph_, components_);
+  paint_cells(graph_, &components_, cells_);
+  changed_colours_.reset(lattice.height());
+  for (int y = 0; y < lattice.height(); ++y) {
+    const int first = lattice.pixel(0, y);
+    changed_colours_.set(
+        y, differing_part(cells_.colours.data() + first, colours_before_.data() + first, lattice.width()));
+  }
+}
+
+/// Encodes a row of corners and finds those whose code differs.
+void IncrementalVectorizer::encode_row(int y) {
+  const Lattice& lattice = graph_.lattice;
+  static_assert(sizeof(CornerCode) == 1);
+  const int first = lattice.corner(0, y), count = lattice.width() + 1;
+  const auto* codes = reinterpret_cast<const std::uint8_t*>(cells_.corners.data()) + first;
+  std::copy_n(codes, count, row_before_.begin());
+  encode_corners(graph_, has_whole_components() ? &components_ : nullptr, y, y + 1, cells_);
+  const Span span = differing_part(codes, row_before_.data(), count);
+  for (int x = span.from; x < span.to; ++x) {
+    if (codes[x] != row_before_[x]) stale_.push_back({first + x, CornerCode(row_before_[x])});
+  }
+}
+
+/// Rule::codes_by_links and Rule::codes_by_colours.
+void IncrementalVectorizer::encode() {
+  const Lattice& lattice = graph_.lattice;
+  stale_.clear();
+  row_before_.resize(lattice.width() + 1);
+  for (int y = 0; y <= lattice.height(); ++y) {
+    // The row's blocks have their north-west pixels in row y - 1.
+    const bool by_links = !changed_links_.is_empty(y - 1) || !changed_links_.is_empty(y);
+    const bool by_colours = !changed_colours_.is_empty(y - 1) || !changed_colours_.is_empty(y);
+    if ((by_links && rules_.has(Rule::codes_by_links)) ||
+        (by_colours && rules_.has(Rule::codes_by_colours)) || has_whole_components()) {
+      encode_row(y);
+    }
+  }
+}
+
+/// Rule::thin_by_links; and contours along pixels that are thin no longer, or now, are stale.
+void IncrementalVectorizer::find_thin() {
+  if (options_->smoothing != Smoothing::energy || !rules_.has(Rule::thin_by_links)) return;
+  const Lattice& lattice = graph_.lattice;
+  const int stride = lattice.stride();
+  for (int y = 0; y < lattice.height(); ++y) {
+    if (changed_links_.is_empty(y - 1) && changed_links_.is_empty(y)) continue;
+    const int first = lattice.pixel(0, y);
+    const std::uint8_t* thin = thin_.data() + first;
+    std::copy_n(thin, lattice.width(), row_before_.begin());
+    find_thin_pixels(graph_, y, y + 1, thin_);
+    if (!rules_.has(Rule::curves_by_thin)) continue;
+    const Span span = differing_part(thin, row_before_.data(), lattice.width());
+    for (int x = span.from; x < span.to; ++x) {
+      if (thin[x] == row_before_[x]) continue;
+      for (const int corner : {first + x - stride - 1, first + x - stride, first + x - 1, first + x}) {
+        const CornerCode code = cells_.corners[corner];
+        if (code.visible_edges() != 0) stale_.push_back({corner, code});
+      }
+    }
+  }
+}
+
+/// Rule::edges_by_codes.
+void IncrementalVectorizer::remove_edges() {
+  const std::array<int, 4> step = graph_.lattice.step_offsets();
+  for (const StaleCorner& stale : stale_) {
+    const CornerCode now = cells_.corners[stale.corner];
+    auto gone = static_cast<unsigned>(stale.before.visible_edges() & ~now.visible_edges());
+    for (; gone != 0; gone &= gone - 1) {
+      const int slot = edge_end(stale.corner, static_cast<Direction>(std::countr_zero(gone)), step).slot;
+      if (edges_.curve[slot] == 0) continue;  // seen from the other end
+      set_curve(slot, 0);
+      --stats_.segments;
+    }
+  }
+}
+
+/// Rule::curves_by_codes.
+void IncrementalVectorizer::trace() {
+  if (rules_.has(Rule::edges_by_codes)) remove_edges();
+  stale_corners_.clear();
+  for (const StaleCorner& stale : stale_) stale_corners_.push_back(stale.corner);
+  if (!rules_.has(Rule::curves_by_codes)) stale_corners_.resize(stale_corners_.size() / 2);
+  trace_contours_through(cells_, stale_corners_, contours_);
+  cut_arcs(cells_, contours_, thin_, options_->spline, options_->smoothing, arcs_);
+  stats_.stale_corners = static_cast<int>(stale_.size());
+  stats_.contours = static_cast<int>(contours_.list.size());
+  stats_.nodes = static_cast<int>(contours_.corner.size());
+  stats_.arcs = static_cast<int>(arcs_.list.size());
+}
+
+void IncrementalVectorizer::set_curve(int slot, int number) {
+  edges_.curve[slot] = number;
+  if (is_slot_set_[slot] != 0) return;
+  is_slot_set_[slot] = 1;
+  set_slots_.push_back(slot);
+}
+
+void IncrementalVectorizer::fit() {
+  const Lattice& lattice = graph_.lattice;
+  const std::array<int, 4> step = lattice.step_offsets();
+  votes_.start_frame();
+  for (const Arc& arc : arcs_.list) {
+    const int first_curve = table_.curves_of(arcs_.words(arc), arc.kind);
+    votes_.see(first_curve, arcs_.corner[arc.first], arc.count, lattice);
+    for_each_edge(arcs_, arc, first_curve, step, [&](int slot, int number) {
+      stats_.segments += edges_.curve[slot] == 0 ? 1 : 0;
+      set_curve(slot, number);
+    });
+  }
+  stats_.fitted_shapes = table_.fit_added(options_->smoothing, workers_);
+}
+
+/// Rule::joints_by_curves: all T-junctions that contours end at or go through.
+void IncrementalVectorizer::join() {
+  if (!rules_.has(Rule::joints_by_curves)) {
+    for (const Contour& contour : contours_.list) {
+      if (contour.closed) continue;
+      for (const int end : {contour.first, contour.first + contour.count - 1}) {
+        if (cells_.is_t_junction(contours_.corner[end])) {
+          const JoinedEdge joined = join_at(contours_.corner[end], cells_, edges_, table_);
+          set_curve(joined.slot, joined.curve);
+        }
+      }
+    }
+    return;
+  }
+  for (const int corner : contours_.corner) {
+    if (!cells_.is_t_junction(corner)) continue;
+    const JoinedEdge joined = join_at(corner, cells_, edges_, table_);
+    set_curve(joined.slot, joined.curve);
+  }
+}
+
+/// Curves that were fitted again, as parts of other arcs, and are what they were get back their numbers.
+void IncrementalVectorizer::settle_numbers() {
+  for (const int slot : set_slots_) {
+    const int now = edges_.curve[slot], before = curves_before_[slot];
+    if (now == before || now == 0 || before == 0) continue;
+    const bool is_same = table_.curve(now) == table_.curve(before) &&
+                         table_.curve(table_.fitted(now)) == table_.curve(table_.fitted(before));
+    if (is_same) edges_.curve[slot] = before;
+  }
+}
+
+void IncrementalVectorizer::compare() {
+  settle_numbers();
+  const MapPair maps{graph_.lattice, table_, edges_.curve, curves_before_, cells_.colours, colours_before_};
+  comparison_.find_new(maps, set_slots_, changed_colours_, rules_, changes_);
+  comparison_.find_moved(maps, set_slots_, votes_.most_voted(), changes_);
+  if (changes_.new_tiles > kMostChanged * stats_.pixels) changes_.everything = true;
+}
+
+const PlanarMap& IncrementalVectorizer::map() const {
+  if (!is_map_made_) build_planar_map(edges_, table_, cells_.colours, map_);
+  is_map_made_ = true;
+  return map_;
+}
+
+std::size_t IncrementalVectorizer::memory_bytes() const {
+  return graph_.memory_bytes() +
+         held_bytes(frozen_links_, links_before_, colours_before_, thin_, stale_, stale_corners_,
+                    curves_before_, set_slots_, is_slot_set_, row_before_) +
+         crossings_.memory_bytes() + components_.memory_bytes() + cells_.memory_bytes() +
+         changed_pixels_.memory_bytes() + changed_frozen_.memory_bytes() + changed_links_.memory_bytes() +
+         changed_colours_.memory_bytes() + contours_.memory_bytes() + arcs_.memory_bytes() +
+         votes_.memory_bytes() + table_.memory_bytes() + edges_.memory_bytes() + comparison_.memory_bytes() +
+         changes_.memory_bytes() + map_.memory_bytes();
+}
+
+}  // namespace depixel

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "libdepixel/incremental/frame_diff.hpp"
+#include "libdepixel/incremental/map_comparison.hpp"
+#include "libdepixel/incremental/move_votes.hpp"
+#include "libdepixel/incremental/rules.hpp"
+#include "libdepixel/pipeline/vectorizer.hpp"
+
+namespace depixel {
+
+/// Vectorizes successive frames of a sequence: the same maps as a Vectorizer's, bit for bit, for work that
+/// follows what changed. What a change makes stale is told by the rules in rules.hpp.
+///
+/// What only moved, as when a game scrolls in one layer or several, is not searched for but found by its
+/// shape: links and codes are cheap to compute anew, sixteen at a time, and contours have their splines from
+/// the table of shapes. Where tiles of the map moved as they were is told in changes(), for rasterisers.
+class IncrementalVectorizer {
+ public:
+  explicit IncrementalVectorizer(RuleSet rules = {}) : rules_(rules) {}
+
+  /// \param frame  at least 1x1 pixels; read during the call only.
+  void vectorize(const FrameView& frame, const Options& options);
+  /// Forgets the frames before: the next one is vectorized from scratch.
+  void reset() { options_.reset(); }
+
+  /// Where the map differs from that of the call before.
+  const MapChanges& changes() const { return changes_; }
+
+  const SimilarityGraph& graph() const { return graph_; }  ///< resolved
+  const CellGraph& cells() const { return cells_; }
+  const EdgeMap& edges() const { return edges_; }
+  const SplineTable& table() const { return table_; }
+  const std::vector<Rgba>& colours() const { return cells_.colours; }
+  const Lattice& lattice() const { return graph_.lattice; }
+  /// The map as a list of segments; made when it is asked for, and kept until the next frame.
+  const PlanarMap& map() const;
+  const VectorizeStats& stats() const { return stats_; }
+
+ private:
+  /// A corner whose contours are to be traced again, and its code in the frame before.
+  struct StaleCorner {
+    int corner;
+    CornerCode before;
+  };
+
+  void forget(const Lattice& lattice);
+  void keep_before();
+  bool has_whole_components() const;
+  void relink(const FrameView& frame);
+  void resolve();
+  void recolour();
+  void encode_row(int y);
+  void encode();
+  void find_thin();
+  void remove_edges();
+  void trace();
+  void fit();
+  void join();
+  void settle_numbers();
+  void compare();
+  void set_curve(int slot, int number);
+  std::size_t memory_bytes() const;
+
+  RuleSet rules_;
+  std::optional<Options> options_;  ///< of the frame before; none at first
+  Workers workers_;
+
+  SimilarityGraph graph_;
+  std::vector<std::uint8_t> frozen_links_, links_before_;
+  CrossingScratch crossings_;
+  Components components_;
+  CellGraph cells_;
+  std::vector<Rgba> colours_before_;
+  std::vector<std::uint8_t> thin_;
+  RowSpans changed_pixels_, changed_frozen_, changed_links_, changed_colours_;
+
+  std::vector<StaleCorner> stale_;
+  std::vector<int> stale_corners_;
+  Contours contours_;  ///< those that were traced again
+  Arcs arcs_;
+  MoveVotes votes_;
+
+  SplineTable table_;
+  EdgeMap edges_;
+  std::vector<int> curves_before_;
+  std::vector<int> set_slots_;             ///< slots set in this frame, each once
+  std::vector<std::uint8_t> is_slot_set_;  ///< by slot
+  MapComparison comparison_;
+  MapChanges changes_;
+
+  std::vector<std::uint8_t> row_before_;  ///< scratch
+  mutable PlanarMap map_;
+  mutable bool is_map_made_ = false;
+  VectorizeStats stats_;
+};
+
+}  // namespace depixel

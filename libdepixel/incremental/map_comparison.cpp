@@ -1,0 +1,208 @@
+#include "libdepixel/incremental/map_comparison.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+
+#include "libdepixel/core/simd.hpp"
+
+namespace depixel {
+namespace {
+
+/// True where two edges have the same curve, or none.
+bool is_same(const SplineTable& table, int a, int b) {
+  return a == b || (a != 0 && b != 0 && table.curve(a) == table.curve(b));
+}
+
+/// The slots of the four edges round a pixel.
+std::array<int, 4> edges_round(int pixel, int stride) {
+  const int north_west = pixel - stride - 1;
+  return {edge_slot(north_west, false), edge_slot(pixel - 1, false), edge_slot(north_west, true),
+          edge_slot(pixel - stride, true)};
+}
+
+template <typename Value>
+void for_each_difference(const Value* a, const Value* b, int count, const auto& visit) {
+  static_assert(sizeof(Value) == sizeof(std::uint32_t));
+  int i = 0;
+  for (; i + kWordLanes <= count; i += kWordLanes) {
+    const Word4 differing = load_vector<Word4>(a + i) ^ load_vector<Word4>(b + i);
+    std::array<std::uint64_t, 2> halves;
+    std::memcpy(halves.data(), &differing, sizeof differing);
+    if ((halves[0] | halves[1]) == 0) continue;
+    for (int k = i; k < i + kWordLanes; ++k) {
+      if (!(a[k] == b[k])) visit(k);
+    }
+  }
+  for (; i < count; ++i) {
+    if (!(a[i] == b[i])) visit(i);
+  }
+}
+
+/// Where less than one part in so many of the tiles is new, looking for moves costs more than it saves.
+constexpr int kLeastPart = 32;
+
+/// Whether some of the new curves, taken as samples, were elsewhere before.
+bool is_likely(const MapPair& maps, std::span<const int> slots, glm::ivec2 move) {
+  constexpr std::size_t kSamples = 128;
+  constexpr int kFewest = 8;
+  const int offset = 2 * (move.y * maps.lattice.stride() + move.x),
+            size = static_cast<int>(maps.curve.size());
+  const std::size_t step = std::max<std::size_t>(1, slots.size() / kSamples);
+  int samples = 0, found = 0;
+  for (std::size_t i = 0; i < slots.size(); i += step) {
+    const int number = maps.curve[slots[i]], from = slots[i] - offset;
+    if (number == 0 || from < 0 || from >= size) continue;
+    ++samples;
+    found += is_same(maps.table, number, maps.curve_before[from]) ? 1 : 0;
+  }
+  return found * kFewest > samples;
+}
+
+/// Eight masks that are worked on together.
+using Mask8 = TileMask __attribute__((vector_size(16)));
+
+}  // namespace
+
+void MapComparison::mark(const MapPair& maps, int slot, int now, int before) {
+  touched_[slot / 2] |= maps.table.tiles(now) | maps.table.tiles(before);
+}
+
+/// Sets the tiles that the marked edges' curves touch to 1, those of other rows are left alone; forgets
+/// marks.
+void MapComparison::take_marks(const Lattice& lattice, std::vector<std::uint8_t>& tiles) {
+  constexpr int kLanes = sizeof(Mask8) / sizeof(TileMask);
+  const int stride = lattice.stride();
+  std::array<int, 9> back;  // from a tile to the owner whose mask's bit it is
+  for (int bit = 0; bit < 9; ++bit) back[bit] = bit / 3 * stride + bit % 3;
+  // Owners may lie a corner outside the frame.
+  const int owners = lattice.width() + 3;
+  const auto row_of_owners = [&](int y) { return touched_.begin() + lattice.corner(-1, y); };
+  const auto is_marked = [&](int y) {
+    const auto row = row_of_owners(y);
+    return std::any_of(row, row + owners, [](TileMask mask) { return mask != 0; });
+  };
+  bool above = is_marked(-1), at = is_marked(0), below;
+  for (int y = 0; y < lattice.height(); ++y, above = at, at = below) {
+    below = is_marked(y + 1);
+    if (!above && !at && !below) continue;
+    const int first = lattice.pixel(0, y);
+    for (int x = 0; x < lattice.width(); x += kLanes) {  // may write into the padding
+      Mask8 found{};
+      for (int bit = 0; bit < 9; ++bit) {
+        found |= load_vector<Mask8>(touched_.data() + first + x - back[bit]) >> bit;
+      }
+      found &= 1;
+      for (int lane = 0; lane < kLanes; ++lane)
+        tiles[first + x + lane] |= static_cast<std::uint8_t>(found[lane]);
+    }
+  }
+  for (int y = -1; y <= lattice.height() + 1; ++y) std::fill_n(row_of_owners(y), owners, TileMask{0});
+}
+
+void MapComparison::find_new(const MapPair& maps, std::span<const int> slots, const RowSpans& colours,
+                             RuleSet rules, MapChanges& changes) {
+  const Lattice& lattice = maps.lattice;
+  changes.set_nothing();
+  changes.tiles.assign(lattice.size(), MapChanges::kSame);
+  touched_.resize(lattice.size());
+  if (rules.has(Rule::tiles_by_curves)) {
+    for (const int slot : slots) {
+      const int now = maps.curve[slot], before = maps.curve_before[slot];
+      if (now != before) mark(maps, slot, now, before);
+    }
+  }
+  for (int y = 0; y < colours.rows(); ++y) {
+    const int first = lattice.pixel(colours[y].from, y);
+    for_each_difference(maps.colours.data() + first, maps.colours_before.data() + first, colours[y].length(),
+                        [&](int x) {
+                          if (rules.has(Rule::tiles_by_colours)) changes.tiles[first + x] = MapChanges::kNew;
+                          if (!rules.has(Rule::tiles_by_side_colours)) return;
+                          for (const int slot : edges_round(first + x, lattice.stride())) {
+                            const int now = maps.curve[slot];  // where it is not what it was, it is marked
+                            if (now == maps.curve_before[slot]) mark(maps, slot, now, 0);
+                          }
+                        });
+  }
+  take_marks(lattice, changes.tiles);
+  changes.new_tiles = 0;
+  for (int y = 0; y < lattice.height(); ++y) {
+    const auto row = changes.tiles.begin() + lattice.pixel(0, y);
+    changes.new_tiles += static_cast<int>(std::count(row, row + lattice.width(), MapChanges::kNew));
+  }
+}
+
+/// Marks the tiles that are not what lay by a move from them before. Only rows first_row to end_row - 1 of
+/// tiles are wanted.
+void MapComparison::compare_moved(const MapPair& maps, glm::ivec2 move, int first_row, int end_row) {
+  const Lattice& lattice = maps.lattice;
+  const int stride = lattice.stride(), offset = move.y * stride + move.x;
+  // Tiles that have one before: west .. east - 1, north .. south - 1.
+  const int west = std::max(0, move.x), east = std::min(lattice.width(), lattice.width() + move.x);
+  const int north = std::max({0, move.y, first_row});
+  const int south = std::min({lattice.height(), lattice.height() + move.y, end_row});
+  // Curves touch them from one corner farther on: in one of the maps that may lie in the padding, without
+  // any.
+  for (int y = north - 1; y <= south + 1; ++y) {
+    const int first = edge_slot(lattice.corner(west - 1, y), false);
+    const int* before = maps.curve_before.data() + first - 2 * offset;
+    for_each_difference(maps.curve.data() + first, before, 2 * (east - west + 3), [&](int i) {
+      const int now = maps.curve[first + i];
+      if (!is_same(maps.table, now, before[i])) mark(maps, first + i, now, before[i]);
+    });
+  }
+  for (int y = north; y < south; ++y) {
+    const int first = lattice.pixel(west, y);
+    for_each_difference(maps.colours.data() + first, maps.colours_before.data() + first - offset, east - west,
+                        [&](int x) {
+                          differs_[first + x] = 1;
+                          for (const int slot : edges_round(first + x, stride)) {
+                            mark(maps, slot, maps.curve[slot], maps.curve_before[slot - 2 * offset]);
+                          }
+                        });
+  }
+  take_marks(lattice, differs_);
+}
+
+void MapComparison::take_moved(const Lattice& lattice, glm::ivec2 move, MapChanges& changes) {
+  const auto value = static_cast<std::uint8_t>(MapChanges::kMoved + changes.moves.size());
+  const int west = std::max(0, move.x), east = std::min(lattice.width(), lattice.width() + move.x);
+  int moved = 0;
+  for (int y = std::max(0, move.y); y < std::min(lattice.height(), lattice.height() + move.y); ++y) {
+    std::uint8_t* tiles = changes.tiles.data() + lattice.pixel(0, y);
+    const std::uint8_t* differs = differs_.data() + lattice.pixel(0, y);
+    for (int x = west; x < east; ++x) {
+      const bool is_moved = tiles[x] == MapChanges::kNew && differs[x] == 0;
+      tiles[x] = is_moved ? value : tiles[x];
+      moved += is_moved ? 1 : 0;
+    }
+  }
+  if (moved == 0) return;
+  changes.moves.push_back(move);
+  changes.new_tiles -= moved;
+  changes.moved_tiles += moved;
+}
+
+void MapComparison::find_moved(const MapPair& maps, std::span<const int> slots,
+                               std::span<const glm::ivec2> moves, MapChanges& changes) {
+  const Lattice& lattice = maps.lattice;
+  const auto has_new = [&](int y) {
+    return std::memchr(changes.tiles.data() + lattice.pixel(0, y), MapChanges::kNew, lattice.width()) !=
+           nullptr;
+  };
+  int first_row = 0, end_row = lattice.height();
+  while (first_row < end_row && !has_new(first_row)) ++first_row;
+  while (end_row > first_row && !has_new(end_row - 1)) --end_row;
+  for (const glm::ivec2 move : moves) {
+    if (changes.new_tiles * kLeastPart <= lattice.width() * lattice.height()) return;
+    // Farther ones bring nothing.
+    if (std::abs(move.x) >= lattice.width() || std::abs(move.y) >= lattice.height()) continue;
+    if (!is_likely(maps, slots, move)) continue;
+    differs_.assign(lattice.size(), 0);
+    compare_moved(maps, move, first_row, end_row);
+    take_moved(lattice, move, changes);
+  }
+}
+
+}  // namespace depixel

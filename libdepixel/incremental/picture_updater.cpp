@@ -1,0 +1,209 @@
+#include "libdepixel/incremental/picture_updater.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "libdepixel/raster/flatten.hpp"
+
+namespace depixel {
+namespace {
+
+/// Strips are about this many rows of tiles high: with more, a curve is flattened less often, with fewer,
+/// less is drawn that did not change.
+constexpr int kStripTiles = 2;
+/// Windows with fewer tiles than this between them are drawn as one.
+constexpr int kLeastGap = 3;
+/// Curves that touch a window end at most this many tiles beyond it.
+constexpr int kBeyondWindow = 2;
+
+int floor_px(int subpixels) {
+  return subpixels >> 8;
+}
+int ceil_px(int subpixels) {
+  return (subpixels + kRasterSubpixels - 1) >> 8;
+}
+static_assert(kRasterSubpixels == 1 << 8);
+
+/// Bits of a TileMask for the rows of tiles first .. end - 1, seen from an edge whose owner lies in a row of
+/// corners.
+TileMask rows_mask(int owner_row, int first, int end) {
+  TileMask mask = 0;
+  for (int row = -1; row <= 1; ++row) {
+    if (owner_row + row >= first && owner_row + row < end) mask |= static_cast<TileMask>(7 << 3 * (row + 1));
+  }
+  return mask;
+}
+
+void unite(const std::uint8_t* from, int count, std::uint8_t* to) {
+  for (int i = 0; i < count; ++i) to[i] |= from[i];
+}
+
+}  // namespace
+
+bool PictureUpdater::Drawn::operator==(const Drawn& other) const {
+  return target.pixels == other.target.pixels && target.width == other.target.width &&
+         target.height == other.target.height && target.pitch == other.target.pitch && view == other.view &&
+         lattice == other.lattice && linear_light == other.linear_light && opaque == other.opaque;
+}
+
+void PictureUpdater::draw(const IncrementalVectorizer& source, const MapChanges& changes, const View& view,
+                          bool linear_light, int threads, const PictureView& target, bool is_kept) {
+  drawn_pixels_ = moved_pixels_ = 0;
+  if (target.width <= 0 || target.height <= 0) return;
+  const OutputGrid grid(view, source.lattice(), target);
+  const bool opaque = grid.covers_target() && is_opaque(source.lattice(), source.colours());
+  const Drawn now{target, view, source.lattice(), linear_light, opaque};
+  const bool is_update =
+      is_kept && now == drawn_ && !changes.everything && view.scale_x >= 1 && view.scale_y >= 1;
+  drawn_ = now;
+  if (!is_update) {
+    raster_.draw(source.map(), view, linear_light, threads, target);
+    drawn_pixels_ = std::int64_t{target.width} * target.height;
+    return;
+  }
+  if (!changes.any()) return;
+  workers_.set_threads(threads);
+  moved_pixels_ = mover_.move(grid, changes, is_stale_);
+  find_strips(grid);
+  if (opaque) {
+    linear_light ? draw_stale<OpaqueLight>(source, grid) : draw_stale<OpaqueColour>(source, grid);
+  } else {
+    linear_light ? draw_stale<Translucent<true>>(source, grid) : draw_stale<Translucent<false>>(source, grid);
+  }
+}
+
+void PictureUpdater::find_strips(const OutputGrid& grid) {
+  const Lattice& lattice = grid.lattice;
+  const int rows = std::clamp(static_cast<int>(kStripTiles * grid.scale.y), 1, BandSums<OpaqueColour>::kRows);
+  strips_.clear();
+  int first = 0, end = 0;
+  for (int first_px = 0; first_px < grid.target.height; first_px += rows) {
+    const int end_px = std::min(first_px + rows, grid.target.height);
+    while (first < lattice.height() && grid.row(first + 1) <= first_px * kRasterSubpixels) ++first;
+    while (end < lattice.height() && grid.row(end) < end_px * kRasterSubpixels) ++end;
+    bool is_stale = false;
+    for (int y = first; y < end && !is_stale; ++y) {
+      is_stale = std::memchr(is_stale_.data() + lattice.pixel(0, y), 1, lattice.width()) != nullptr;
+    }
+    if (is_stale) strips_.push_back({first_px, end_px, first, end});
+  }
+}
+
+void PictureUpdater::find_windows(const IncrementalVectorizer& source, const Strip& strip,
+                                  Scratch& scratch) const {
+  const Lattice& lattice = source.lattice();
+  const int width = lattice.width();
+  scratch.stale.assign(width, 0);
+  scratch.occupied.assign(width + 1, 0);
+  static_assert(sizeof(CornerCode) == 1);
+  const auto* codes = reinterpret_cast<const std::uint8_t*>(source.cells().corners.data());
+  for (int y = strip.first; y < strip.end; ++y) {
+    unite(is_stale_.data() + lattice.pixel(0, y), width, scratch.stale.data());
+  }
+  for (int y = strip.first; y <= strip.end; ++y) {
+    unite(codes + lattice.corner(0, y), width + 1, scratch.occupied.data());
+  }
+  const std::uint8_t* occupied = scratch.occupied.data();
+  const auto is_clear = [&](int x) { return (occupied[x] | occupied[x + 1]) == 0; };
+  scratch.windows.clear();
+  for (int x = 0; x < width;) {
+    const auto* next = static_cast<const std::uint8_t*>(std::memchr(scratch.stale.data() + x, 1, width - x));
+    if (next == nullptr) return;
+    const int from = static_cast<int>(next - scratch.stale.data());
+    for (x = from; x < width && scratch.stale[x] != 0;) ++x;
+    const int last = scratch.windows.empty() ? -1 : scratch.windows.back().to;
+    int clear = from - 1;
+    while (clear >= std::max(last, 0) && !is_clear(clear)) --clear;
+    if (last >= 0 && (clear < last || from - last < kLeastGap)) {
+      scratch.windows.back().to = x;
+    } else {
+      scratch.windows.push_back({clear, from, x});
+    }
+  }
+}
+
+template <typename Model>
+void PictureUpdater::draw_window(const IncrementalVectorizer& source, const OutputGrid& grid,
+                                 const Strip& strip, const Window& window, BandSums<Model>& sums,
+                                 Scratch& scratch) const {
+  const Lattice& lattice = grid.lattice;
+  const std::vector<Rgba>& colours = source.colours();
+  const int left_px =
+      std::max(0, window.clear < 0 ? floor_px(grid.column(0)) : ceil_px(grid.column(window.clear)));
+  const int from_px = std::max(floor_px(grid.column(window.from)), left_px);
+  const int to_px = std::min(ceil_px(grid.column(window.to)), grid.target.width);
+  if (from_px >= to_px) return;
+  const int right_px = std::min(ceil_px(grid.column(window.to + kBeyondWindow)) + 1, grid.target.width);
+  sums.resize(right_px - left_px);
+  sums.start(strip.first_px, strip.end_px - strip.first_px);
+
+  const int shift = left_px * kRasterSubpixels;
+  const auto add = [&](int corner, int x, int y, int number, bool southwards) {
+    const Segment s = segment_of(source.table().curve(number), {x, y}, corner, southwards, lattice.stride());
+    const auto change = Model::change(colours[s.right], colours[s.left]);
+    flatten(grid(s.p0), grid(s.p1), grid(s.p2), grid(s.p3),
+            flattening_pieces(s.p0, s.p1, s.p2, s.p3, grid.scale),
+            [&](glm::ivec2 a, glm::ivec2 b) { sums.add_line(a.x - shift, a.y, b.x - shift, b.y, change); });
+  };
+  for (int y = std::max(strip.first - 1, 0); y <= std::min(strip.end + 1, lattice.height()); ++y) {
+    const TileMask wanted = rows_mask(y, strip.first, strip.end);
+    const int first = window.clear + 1;
+    const int* curve = source.edges().curve.data() + edge_slot(lattice.corner(first, y), false);
+    for (int x = first; x <= window.to; ++x, curve += 2) {
+      for (const int southwards : {0, 1}) {
+        if (curve[southwards] != 0 && (source.table().tiles(curve[southwards]) & wanted) != 0) {
+          add(lattice.corner(x, y), x, y, curve[southwards], southwards != 0);
+        }
+      }
+    }
+  }
+  // The border: on the left, the picture begins; on the right, it ends.
+  const int west = grid.column(0) - shift, east = grid.column(lattice.width()) - shift;
+  for (int y = strip.first; y < strip.end; ++y) {
+    const int y0 = grid.row(y), y1 = grid.row(y + 1);
+    if (window.clear < 0) {
+      sums.add_line(west, y0, west, y1, Model::change(Rgba{}, colours[lattice.pixel(0, y)]));
+    }
+    if (window.to == lattice.width()) {
+      sums.add_line(east, y0, east, y1,
+                    Model::change(colours[lattice.pixel(lattice.width() - 1, y)], Rgba{}));
+    }
+  }
+  const int north = grid.row(0), south = grid.row(lattice.height());
+  for (int row = strip.first_px; row < strip.end_px; ++row) {
+    typename Model::Sums before{};
+    if (window.clear >= 0) {
+      const int covered =
+          std::min((row + 1) * kRasterSubpixels, south) - std::max(row * kRasterSubpixels, north);
+      const Rgba colour = colours[lattice.pixel(window.clear, strip.first)];
+      before = Model::times(Model::change(Rgba{}, colour), 2 * kRasterSubpixels * std::max(covered, 0));
+    }
+    std::uint8_t* out = grid.target.pixels + row * grid.target.pitch + std::ptrdiff_t{4} * left_px;
+    sums.resolve(row - strip.first_px, out, before, from_px - left_px, to_px - left_px);
+  }
+  scratch.drawn_pixels += std::int64_t{to_px - from_px} * (strip.end_px - strip.first_px);
+}
+
+template <typename Model>
+void PictureUpdater::draw_stale(const IncrementalVectorizer& source, const OutputGrid& grid) {
+  auto& sums = std::get<std::vector<BandSums<Model>>>(sums_);
+  const auto threads = static_cast<std::size_t>(workers_.threads());
+  if (sums.size() < threads) sums.resize(threads);
+  if (scratch_.size() < threads) scratch_.resize(threads);
+  for (BandSums<Model>& own : sums) own.resize(grid.target.width);
+  for (Scratch& own : scratch_) own.drawn_pixels = 0;
+  workers_.run(static_cast<int>(strips_.size()), [&](int part, int thread) {
+    Scratch& own = scratch_[thread];
+    find_windows(source, strips_[part], own);
+    for (const Window& window : own.windows) {
+      draw_window(source, grid, strips_[part], window, sums[thread], own);
+    }
+  });
+  for (const Scratch& own : scratch_) drawn_pixels_ += own.drawn_pixels;
+}
+
+std::size_t PictureUpdater::memory_bytes() const {
+  return raster_.memory_bytes() + mover_.memory_bytes() + held_bytes(is_stale_, strips_);
+}
+
+}  // namespace depixel

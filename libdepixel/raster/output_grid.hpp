@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <glm/vec2.hpp>
+
+#include "libdepixel/core/frame_view.hpp"
+#include "libdepixel/core/lattice.hpp"
+#include "libdepixel/core/tolerances.hpp"
+#include "libdepixel/raster/view.hpp"
+
+namespace depixel {
+
+/// Maps subpixels of the source to subpixels of the output along an axis, by one rounded multiplication.
+class ToOutput {
+ public:
+  ToOutput(double scale, double origin)
+      : factor_(std::llround(scale * kRasterSubpixels / kSubpixels * kOne)),
+        offset_(std::llround(-origin * scale * kRasterSubpixels) * kOne + kOne / 2) {}
+  int operator()(int subpixels) const { return static_cast<int>((subpixels * factor_ + offset_) >> kBits); }
+
+  /// Output pixels to a source pixel if these are whole and begin on whole output pixels, else 0: then all
+  /// that moves by source pixels moves by whole output pixels, to the bit.
+  int whole_scale() const {
+    const std::int64_t pixel = factor_ * kSubpixels;
+    constexpr std::int64_t kPixel = std::int64_t{kRasterSubpixels} << kBits;
+    return pixel % kPixel == 0 && operator()(0) % kRasterSubpixels == 0 ? static_cast<int>(pixel / kPixel)
+                                                                        : 0;
+  }
+
+ private:
+  static constexpr int kBits = 28;
+  static constexpr std::int64_t kOne = std::int64_t{1} << kBits;
+  std::int64_t factor_, offset_;
+};
+
+/// A view of a frame on a target: where the source's points come to lie, in output subpixels.
+struct OutputGrid {
+  OutputGrid(const View& view, const Lattice& source, const PictureView& out)
+      : x(view.scale_x, view.origin_x),
+        y(view.scale_y, view.origin_y),
+        scale(view.scale_x, view.scale_y),
+        lattice(source),
+        target(out) {}
+
+  ToOutput x, y;
+  glm::dvec2 scale;
+  Lattice lattice;
+  PictureView target;
+
+  glm::ivec2 operator()(glm::ivec2 p) const { return {x(p.x), y(p.y)}; }
+  /// Where a column's left side, or a row's top, lies.
+  int column(int source_x) const { return x(source_x * kSubpixels); }
+  int row(int source_y) const { return y(source_y * kSubpixels); }
+  bool covers_target() const {
+    return column(0) <= 0 && row(0) <= 0 && column(lattice.width()) >= target.width * kRasterSubpixels &&
+           row(lattice.height()) >= target.height * kRasterSubpixels;
+  }
+};
+
+}  // namespace depixel
