@@ -1,0 +1,161 @@
+#include "bench/sequences/sequence_timing.hpp"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <cstring>
+#include <deque>
+#include <stdexcept>
+
+#include "bench/peers/libav_scaler.hpp"
+#include "bench/sequences/samples.hpp"
+#include "bench/sequences/scratch_player.hpp"
+#include "filter/frame_filter.hpp"
+
+namespace depixel::bench {
+namespace {
+
+const Options kOptions;  // the defaults, one thread
+
+void check(const tl::expected<void, Error>& done) {
+  if (!done) throw std::runtime_error(done.error().message);
+}
+
+/// Submits and draws frames one after the other, to a picture that is kept.
+class IncrementalPlayer {
+ public:
+  IncrementalPlayer(int width, int height) : out_(width * kTimingScale, height * kTimingScale) {}
+
+  /// Forgets all frames.
+  void restart() { filter_ = FrameFilter::cpu(); }
+
+  void show(const FrameView& frame) {
+    check(filter_->submit(frame, kOptions));
+    const View view = View::fit(vectorizer().map().lattice, out_.width(), out_.height());
+    check(filter_->draw(KeptPicture{out_.target()}, {0, 0, out_.width(), out_.height()}, view));
+  }
+
+  const Vectorizer& vectorizer() const { return filter_->vectorizer(); }
+
+ private:
+  std::unique_ptr<FrameFilter> filter_;
+  Picture out_;
+};
+
+/// A scaler that is not ours, and its times.
+template <typename Scaler>
+struct Peer {
+  template <typename... Arguments>
+  explicit Peer(std::size_t frames, Arguments&&... arguments)
+      : scaler(std::forward<Arguments>(arguments)...), samples(frames) {}
+
+  void time(std::size_t frame) {
+    samples.time(frame, [&] { scaler.run(); });
+  }
+
+  Scaler scaler;
+  Samples samples;
+};
+
+/// All that is timed on one sequence, and the samples.
+class SequenceTimer {
+ public:
+  SequenceTimer(const Sequence& sequence, std::span<const SoftFilterLibrary> softfilters)
+      : sequence_(sequence),
+        incremental_player_(sequence.width(), sequence.height()),
+        scratch_player_(sequence.width(), sequence.height(), kOptions.threads),
+        xbr_(count(), "xbr", kTimingScale, sequence.width(), sequence.height()),
+        hqx_(count(), "hqx", kTimingScale, sequence.width(), sequence.height()),
+        incremental_(count()),
+        scratch_(count()),
+        compare_(count()),
+        is_repeat_(count()) {
+    for (const SoftFilterLibrary& library : softfilters) add(library);
+  }
+
+  void play() {
+    incremental_player_.restart();
+    for (std::size_t frame = 0; frame < count(); ++frame) {
+      load(frame);
+      time(frame);
+    }
+  }
+
+  SequenceTiming result() const {
+    SequenceTiming timing{sequence_.name,
+                          incremental_.medians(),
+                          scratch_.medians(),
+                          xbr_.samples.medians(),
+                          hqx_.samples.medians(),
+                          compare_.medians(),
+                          {is_repeat_.begin() + 1, is_repeat_.end()},
+                          {},
+                          double(most_memory_bytes_) / double(sequence_.frames.front().pixel_count())};
+    for (const auto& peer : softfilters_) {
+      const SoftFilter& filter = peer.scaler;
+      timing.softfilters.push_back(
+          {filter.name(), filter.out_width(), filter.out_height(), peer.samples.medians()});
+    }
+    return timing;
+  }
+
+ private:
+  std::size_t count() const { return sequence_.frames.size(); }
+  FrameView view(std::size_t frame) const { return sequence_.frames[frame].view(); }
+
+  void add(const SoftFilterLibrary& library) {
+    try {
+      softfilters_.emplace_back(count(), library, sequence_.width(), sequence_.height());
+    } catch (const std::runtime_error& error) {
+      fmt::print(stderr, "{}: left out: {}\n", sequence_.name, error.what());
+    }
+  }
+
+  /// Hands a frame to the peers; not timed.
+  void load(std::size_t frame) {
+    xbr_.scaler.load(view(frame));
+    hqx_.scaler.load(view(frame));
+    for (auto& peer : softfilters_) peer.scaler.load(view(frame));
+  }
+
+  void time(std::size_t frame) {
+    incremental_.time(frame, [&] { incremental_player_.show(view(frame)); });
+    most_memory_bytes_ = std::max(most_memory_bytes_, incremental_player_.vectorizer().stats().memory_bytes);
+    scratch_.time(frame, [&] {
+      scratch_player_.vectorize(view(frame));
+      scratch_player_.draw();
+    });
+    xbr_.time(frame);
+    hqx_.time(frame);
+    for (auto& peer : softfilters_) peer.time(frame);
+    compare(frame);
+  }
+
+  void compare(std::size_t frame) {
+    const std::size_t before = frame == 0 ? 0 : frame - 1;
+    const std::size_t bytes = sequence_.frames[frame].pixel_count() * sizeof(Rgba);
+    bool is_same = false;
+    compare_.time(frame, [&] { is_same = std::memcmp(view(before).pixels, view(frame).pixels, bytes) == 0; });
+    is_repeat_[frame] = is_same;
+  }
+
+  const Sequence& sequence_;
+  IncrementalPlayer incremental_player_;
+  ScratchPlayer scratch_player_;
+  Peer<LibavScaler> xbr_, hqx_;
+  std::deque<Peer<SoftFilter>> softfilters_;
+  Samples incremental_, scratch_, compare_;
+  std::vector<bool> is_repeat_;
+  std::size_t most_memory_bytes_ = 0;
+};
+
+}  // namespace
+
+SequenceTiming time_sequence(const Sequence& sequence, std::span<const SoftFilterLibrary> softfilters,
+                             int playbacks) {
+  SequenceTimer timer(sequence, softfilters);
+  for (int i = 0; i < playbacks; ++i) timer.play();
+  return timer.result();
+}
+
+}  // namespace depixel::bench
