@@ -31,11 +31,11 @@ class IncrementalPlayer {
 
   void show(const FrameView& frame) {
     check(filter_->submit(frame, kOptions));
-    const View view = View::fit(vectorizer().map().lattice, out_.width(), out_.height());
+    const View view = View::fit(vectorizer().lattice(), out_.width(), out_.height());
     check(filter_->draw(KeptPicture{out_.target()}, {0, 0, out_.width(), out_.height()}, view));
   }
 
-  const Vectorizer& vectorizer() const { return filter_->vectorizer(); }
+  const IncrementalVectorizer& vectorizer() const { return filter_->vectorizer(); }
 
  private:
   std::unique_ptr<FrameFilter> filter_;
