@@ -59,16 +59,21 @@ int take_over(const std::uint8_t* row, Rgba* known, Span span) {
 
 }  // namespace
 
-int take_changed_pixels(const FrameView& frame, SimilarityGraph& graph, RowSpans& changed) {
+void find_changed_pixels(const FrameView& frame, const SimilarityGraph& graph, RowSpans& changed) {
   changed.reset(frame.height);
-  int count = 0;
   for (int y = 0; y < frame.height; ++y) {
     const std::uint8_t* row = frame.pixels + y * frame.pitch;
-    Rgba* known = graph.pixels.data() + graph.lattice.pixel(0, y);
+    const Rgba* known = graph.pixels.data() + graph.lattice.pixel(0, y);
     if (std::memcmp(row, known, sizeof(Rgba) * frame.width) == 0) continue;
-    const Span span = changed_part(row, known, frame.width);
-    count += take_over(row, known, span);
-    changed.set(y, span);
+    changed.set(y, changed_part(row, known, frame.width));
+  }
+}
+
+int take_changed_pixels(const FrameView& frame, const RowSpans& changed, SimilarityGraph& graph) {
+  int count = 0;
+  for (int y = 0; y < frame.height; ++y) {
+    if (changed.is_empty(y)) continue;
+    count += take_over(frame.pixels + y * frame.pitch, graph.pixels.data() + graph.lattice.pixel(0, y), changed[y]);
   }
   return count;
 }

@@ -6,11 +6,14 @@
 
 namespace depixel {
 
-/// Takes a frame over to a graph's pixels, where it differs from what they are.
+/// Finds where a frame differs from a graph's pixels.
 /// \param frame    of the graph's size.
 /// \param changed  set to what differs, by row.
-/// \return the number of pixels that differ.
-/// Cost: that of comparing memory, and of copying what differs.
-int take_changed_pixels(const FrameView& frame, SimilarityGraph& graph, RowSpans& changed);
+/// Cost: that of comparing memory.
+void find_changed_pixels(const FrameView& frame, const SimilarityGraph& graph, RowSpans& changed);
+
+/// Takes the frame over to the graph's pixels, where it differs. \return the number of pixels that did.
+/// \param changed  by find_changed_pixels().
+int take_changed_pixels(const FrameView& frame, const RowSpans& changed, SimilarityGraph& graph);
 
 }  // namespace depixel

@@ -10,9 +10,9 @@ namespace {
 /// Curves that the table holds at most, for each pixel of the frame, before it is made anew.
 constexpr std::size_t kCurvesAPixel = 3, kFewestCurves = std::size_t{1} << 15;
 
-/// Where more than this part of the pixels changed, the map is taken to be new everywhere unless moves are
-/// found: looking where it is costs more than it saves.
-constexpr double kMostChanged = 0.6;
+/// Where more than this part of the tiles is new, all are taken to be: looking for the others costs more than it
+/// saves.
+constexpr double kMostNew = 0.6;
 
 /// The options that vectorizing depends on; others are set to a common value.
 Options of_vectorizing(Options options) {
@@ -44,19 +44,25 @@ void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& opt
   const bool is_known = options_ && *options_ == of_vectorizing(options) && graph_.lattice == lattice &&
                         table_.size() <= std::max(kFewestCurves, kCurvesAPixel * lattice.size());
   options_ = of_vectorizing(options);
-  if (is_known) {
-    keep_before();
-  } else {
-    forget(lattice);
-  }
-  stats_.changed_pixels = take_changed_pixels(frame, graph_, changed_pixels_);
-  stats_.stale_corners = stats_.contours = stats_.nodes = stats_.arcs = stats_.fitted_shapes = 0;
-  if (!is_known) set_all(lattice, changed_pixels_);
-  if (is_known && stats_.changed_pixels == 0) {
+  stats_.changed_pixels = stats_.stale_corners = 0;
+  stats_.contours = stats_.nodes = stats_.arcs = stats_.fitted_shapes = 0;
+  if (!is_known) forget(lattice);
+  find_changed_pixels(frame, graph_, changed_pixels_);
+  if (is_known && !changed_pixels_.any()) {
+    settle_before();
     changes_.set_nothing();
     clock.finish(0);
     return;
   }
+  move_ = is_known ? guess_.guess(frame, graph_, changed_pixels_).value_or(glm::ivec2(0)) : glm::ivec2(0);
+  is_all_stale_ = !is_known || move_ != glm::ivec2(0);
+  if (move_ != glm::ivec2(0)) {
+    move_everything();
+    find_changed_pixels(frame, graph_, changed_pixels_);
+  } else {
+    settle_before();
+  }
+  stats_.changed_pixels = take_changed_pixels(frame, changed_pixels_, graph_);
   is_map_made_ = false;
   relink(frame);
   clock.finish(0);
@@ -81,11 +87,19 @@ void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& opt
   } else {
     changes_.everything = true;
   }
+  count();
   clock.finish(5);
+}
 
-  stats_.pixels = frame.width * frame.height;
+void IncrementalVectorizer::count() {
+  const Lattice& lattice = graph_.lattice;
+  stats_.pixels = lattice.width() * lattice.height();
   stats_.changed_tiles = changes_.everything ? stats_.pixels : changes_.new_tiles;
   stats_.moved_tiles = changes_.everything ? 0 : changes_.moved_tiles;
+  stats_.segments = 0;
+  for (const CornerCode code : cells_.corners) {
+    stats_.segments += (code.is_visible(kEast) ? 1 : 0) + (code.is_visible(kSouth) ? 1 : 0);
+  }
   stats_.memory_bytes = memory_bytes();
 }
 
@@ -101,23 +115,54 @@ void IncrementalVectorizer::forget(const Lattice& lattice) {
   thin_.assign(lattice.size() + sizeof(std::uint64_t) * 2, 0);
   table_.clear();
   votes_.clear();
+  guess_.clear();
   edges_.lattice = lattice;
   edges_.curve.assign(2 * std::size_t(lattice.size()), 0);
   curves_before_ = edges_.curve;
+  codes_before_ = cells_.corners;
   is_slot_set_.assign(edges_.curve.size(), 0);
-  set_slots_.clear();
-  stats_.segments = 0;
+  set_curves_.clear();
+  is_before_settled_ = false;
 }
 
 /// What is of this frame becomes that of the frame before. The next frame's is the same until it changes.
-void IncrementalVectorizer::keep_before() {
-  for (const int slot : set_slots_) {
-    curves_before_[slot] = edges_.curve[slot];
-    is_slot_set_[slot] = 0;
+void IncrementalVectorizer::settle_before() {
+  if (is_before_settled_) {
+    for (const SetCurve& set : set_curves_) curves_before_[set.slot] = edges_.curve[set.slot];
+    copy_span(graph_.lattice, changed_colours_, cells_.colours, colours_before_);
+  } else {
+    curves_before_ = edges_.curve;
+    colours_before_ = cells_.colours;
   }
-  set_slots_.clear();
-  copy_span(graph_.lattice, changed_colours_, cells_.colours, colours_before_);
+  is_before_settled_ = true;
+  forget_set_curves();
   changed_colours_.reset(graph_.lattice.height());
+}
+
+void IncrementalVectorizer::forget_set_curves() {
+  for (const SetCurve& set : set_curves_) is_slot_set_[set.slot] = 0;
+  set_curves_.clear();
+}
+
+/// Everything that is known is moved as most of the frame has. What is of this frame becomes that of the frame
+/// before, and what is moved is this frame's until it changes. Rule::uncovered_by_moves: nothing is known of what
+/// a move uncovers. All rows are stale then, and every contour that passes a place where what is known is not
+/// what it should be is traced again, as its codes there differ.
+void IncrementalVectorizer::move_everything() {
+  const Lattice& lattice = graph_.lattice;
+  const GridPart pixels = GridPart::pixels(lattice), corners = GridPart::corners(lattice);
+  move_entries(pixels, move_, Rgba{}, graph_.pixels, graph_.pixels);
+  move_entries(pixels, move_, std::uint8_t{0}, frozen_links_, frozen_links_);
+  move_entries(pixels, move_, std::uint8_t{0}, links_before_, links_before_);
+  move_entries(pixels, move_, std::uint8_t{0}, thin_, thin_);
+  move_entries(pixels, move_, Rgba{}, cells_.colours, colours_before_);
+  move_entries(corners, move_, CornerCode{}, cells_.corners, codes_before_);
+  move_entries(corners.times(2), {2 * move_.x, move_.y}, 0, edges_.curve, curves_before_);
+  std::swap(cells_.colours, colours_before_);
+  std::swap(cells_.corners, codes_before_);
+  std::swap(edges_.curve, curves_before_);
+  is_before_settled_ = false;
+  forget_set_curves();
 }
 
 bool IncrementalVectorizer::has_whole_components() const {
@@ -137,7 +182,7 @@ void IncrementalVectorizer::relink(const FrameView& frame) {
   row_before_.resize(lattice.width());
   for (int y = 0; y < lattice.height(); ++y) {
     // The block row reads the pixels of this row and the next.
-    const bool is_stale = !changed_pixels_.is_empty(y) ||
+    const bool is_stale = is_all_stale_ || !changed_pixels_.is_empty(y) ||
                           (rules_.has(Rule::links_by_pixels) && !changed_pixels_.is_empty(y + 1));
     if (!is_stale) continue;
     const std::uint8_t* row = frozen_links_.data() + lattice.pixel(0, y);
@@ -151,7 +196,7 @@ void IncrementalVectorizer::relink(const FrameView& frame) {
 void IncrementalVectorizer::resolve() {
   const Lattice& lattice = graph_.lattice;
   changed_links_.reset(lattice.height());
-  if (!changed_frozen_.any()) return;
+  if (!changed_frozen_.any() && !is_all_stale_) return;
   if (!rules_.has(Rule::crossings_by_links)) return;
   if (!has_whole_components()) graph_.links = frozen_links_;
   const CrossingVotes votes{options_->curve_weight, options_->sparse_weight, options_->island_weight};
@@ -207,7 +252,7 @@ void IncrementalVectorizer::encode() {
     const bool by_links = !changed_links_.is_empty(y - 1) || !changed_links_.is_empty(y);
     const bool by_colours = !changed_colours_.is_empty(y - 1) || !changed_colours_.is_empty(y);
     if ((by_links && rules_.has(Rule::codes_by_links)) ||
-        (by_colours && rules_.has(Rule::codes_by_colours)) || has_whole_components()) {
+        (by_colours && rules_.has(Rule::codes_by_colours)) || has_whole_components() || is_all_stale_) {
       encode_row(y);
     }
   }
@@ -219,7 +264,7 @@ void IncrementalVectorizer::find_thin() {
   const Lattice& lattice = graph_.lattice;
   const int stride = lattice.stride();
   for (int y = 0; y < lattice.height(); ++y) {
-    if (changed_links_.is_empty(y - 1) && changed_links_.is_empty(y)) continue;
+    if (!is_all_stale_ && changed_links_.is_empty(y - 1) && changed_links_.is_empty(y)) continue;
     const int first = lattice.pixel(0, y);
     const std::uint8_t* thin = thin_.data() + first;
     std::copy_n(thin, lattice.width(), row_before_.begin());
@@ -246,7 +291,6 @@ void IncrementalVectorizer::remove_edges() {
       const int slot = edge_end(stale.corner, static_cast<Direction>(std::countr_zero(gone)), step).slot;
       if (edges_.curve[slot] == 0) continue;  // seen from the other end
       set_curve(slot, 0);
-      --stats_.segments;
     }
   }
 }
@@ -266,10 +310,11 @@ void IncrementalVectorizer::trace() {
 }
 
 void IncrementalVectorizer::set_curve(int slot, int number) {
+  if (is_slot_set_[slot] == 0) {
+    is_slot_set_[slot] = 1;
+    set_curves_.push_back({slot, edges_.curve[slot]});
+  }
   edges_.curve[slot] = number;
-  if (is_slot_set_[slot] != 0) return;
-  is_slot_set_[slot] = 1;
-  set_slots_.push_back(slot);
 }
 
 void IncrementalVectorizer::fit() {
@@ -279,10 +324,7 @@ void IncrementalVectorizer::fit() {
   for (const Arc& arc : arcs_.list) {
     const int first_curve = table_.curves_of(arcs_.words(arc), arc.kind);
     votes_.see(first_curve, arcs_.corner[arc.first], arc.count, lattice);
-    for_each_edge(arcs_, arc, first_curve, step, [&](int slot, int number) {
-      stats_.segments += edges_.curve[slot] == 0 ? 1 : 0;
-      set_curve(slot, number);
-    });
+    for_each_edge(arcs_, arc, first_curve, step, [&](int slot, int number) { set_curve(slot, number); });
   }
   stats_.fitted_shapes = table_.fit_added(options_->smoothing, workers_);
 }
@@ -310,21 +352,27 @@ void IncrementalVectorizer::join() {
 
 /// Curves that were fitted again, as parts of other arcs, and are what they were get back their numbers.
 void IncrementalVectorizer::settle_numbers() {
-  for (const int slot : set_slots_) {
-    const int now = edges_.curve[slot], before = curves_before_[slot];
+  for (const SetCurve& set : set_curves_) {
+    const int now = edges_.curve[set.slot], before = set.before;
     if (now == before || now == 0 || before == 0) continue;
     const bool is_same = table_.curve(now) == table_.curve(before) &&
                          table_.curve(table_.fitted(now)) == table_.curve(table_.fitted(before));
-    if (is_same) edges_.curve[slot] = before;
+    if (is_same) edges_.curve[set.slot] = before;
   }
 }
 
 void IncrementalVectorizer::compare() {
   settle_numbers();
-  const MapPair maps{graph_.lattice, table_, edges_.curve, curves_before_, cells_.colours, colours_before_};
-  comparison_.find_new(maps, set_slots_, changed_colours_, rules_, changes_);
-  comparison_.find_moved(maps, set_slots_, votes_.most_voted(), changes_);
-  if (changes_.new_tiles > kMostChanged * stats_.pixels) changes_.everything = true;
+  const MapPair maps{graph_.lattice, table_,        edges_.curve,   curves_before_,
+                     cells_.corners, codes_before_, cells_.colours, colours_before_};
+  comparison_.find_new(maps, move_, set_curves_, changed_colours_, rules_, changes_);
+  moves_.clear();
+  if (move_ != glm::ivec2(0)) moves_.emplace_back(0);
+  const std::vector<glm::ivec2>& voted = votes_.most_voted();
+  moves_.insert(moves_.end(), voted.begin(), voted.end());
+  comparison_.find_moved(maps, set_curves_, moves_, changes_);
+  for (auto move = changes_.moves.rbegin(); move != changes_.moves.rend(); ++move) guess_.remember(*move);
+  if (changes_.new_tiles > kMostNew * lattice().width() * lattice().height()) changes_.everything = true;
 }
 
 const PlanarMap& IncrementalVectorizer::map() const {
@@ -336,11 +384,11 @@ const PlanarMap& IncrementalVectorizer::map() const {
 std::size_t IncrementalVectorizer::memory_bytes() const {
   return graph_.memory_bytes() +
          held_bytes(frozen_links_, links_before_, colours_before_, thin_, stale_, stale_corners_,
-                    curves_before_, set_slots_, is_slot_set_, row_before_) +
+                    curves_before_, set_curves_, is_slot_set_, codes_before_, moves_, row_before_) +
          crossings_.memory_bytes() + components_.memory_bytes() + cells_.memory_bytes() +
          changed_pixels_.memory_bytes() + changed_frozen_.memory_bytes() + changed_links_.memory_bytes() +
          changed_colours_.memory_bytes() + contours_.memory_bytes() + arcs_.memory_bytes() +
-         votes_.memory_bytes() + table_.memory_bytes() + edges_.memory_bytes() + comparison_.memory_bytes() +
+         votes_.memory_bytes() + guess_.memory_bytes() + table_.memory_bytes() + edges_.memory_bytes() + comparison_.memory_bytes() +
          changes_.memory_bytes() + map_.memory_bytes();
 }
 

@@ -5,7 +5,9 @@
 
 #include "libdepixel/incremental/frame_diff.hpp"
 #include "libdepixel/incremental/map_comparison.hpp"
+#include "libdepixel/incremental/move_guess.hpp"
 #include "libdepixel/incremental/move_votes.hpp"
+#include "libdepixel/incremental/moved_grid.hpp"
 #include "libdepixel/incremental/rules.hpp"
 #include "libdepixel/pipeline/vectorizer.hpp"
 
@@ -47,7 +49,9 @@ class IncrementalVectorizer {
   };
 
   void forget(const Lattice& lattice);
-  void keep_before();
+  void settle_before();
+  void forget_set_curves();
+  void move_everything();
   bool has_whole_components() const;
   void relink(const FrameView& frame);
   void resolve();
@@ -61,6 +65,7 @@ class IncrementalVectorizer {
   void join();
   void settle_numbers();
   void compare();
+  void count();
   void set_curve(int slot, int number);
   std::size_t memory_bytes() const;
 
@@ -86,8 +91,15 @@ class IncrementalVectorizer {
   SplineTable table_;
   EdgeMap edges_;
   std::vector<int> curves_before_;
-  std::vector<int> set_slots_;             ///< slots set in this frame, each once
+  std::vector<SetCurve> set_curves_;       ///< set in this frame
   std::vector<std::uint8_t> is_slot_set_;  ///< by slot
+  std::vector<CornerCode> codes_before_;   ///< read where the frame moved
+  bool is_before_settled_ = false;         ///< what is called before is as it is now, but for what was set since
+
+  MoveGuess guess_;
+  glm::ivec2 move_{0};         ///< of all that was known, before anything else was done for this frame
+  bool is_all_stale_ = false;  ///< all rows are computed anew, and compared
+  std::vector<glm::ivec2> moves_;
   MapComparison comparison_;
   MapChanges changes_;
 

@@ -44,15 +44,15 @@ void for_each_difference(const Value* a, const Value* b, int count, const auto& 
 constexpr int kLeastPart = 32;
 
 /// Whether some of the new curves, taken as samples, were elsewhere before.
-bool is_likely(const MapPair& maps, std::span<const int> slots, glm::ivec2 move) {
+bool is_likely(const MapPair& maps, std::span<const SetCurve> set, glm::ivec2 move) {
   constexpr std::size_t kSamples = 128;
   constexpr int kFewest = 8;
   const int offset = 2 * (move.y * maps.lattice.stride() + move.x),
             size = static_cast<int>(maps.curve.size());
-  const std::size_t step = std::max<std::size_t>(1, slots.size() / kSamples);
+  const std::size_t step = std::max<std::size_t>(1, set.size() / kSamples);
   int samples = 0, found = 0;
-  for (std::size_t i = 0; i < slots.size(); i += step) {
-    const int number = maps.curve[slots[i]], from = slots[i] - offset;
+  for (std::size_t i = 0; i < set.size(); i += step) {
+    const int number = maps.curve[set[i].slot], from = set[i].slot - offset;
     if (number == 0 || from < 0 || from >= size) continue;
     ++samples;
     found += is_same(maps.table, number, maps.curve_before[from]) ? 1 : 0;
@@ -101,35 +101,92 @@ void MapComparison::take_marks(const Lattice& lattice, std::vector<std::uint8_t>
   for (int y = -1; y <= lattice.height() + 1; ++y) std::fill_n(row_of_owners(y), owners, TileMask{0});
 }
 
-void MapComparison::find_new(const MapPair& maps, std::span<const int> slots, const RowSpans& colours,
-                             RuleSet rules, MapChanges& changes) {
+void MapComparison::find_new(const MapPair& maps, glm::ivec2 move, std::span<const SetCurve> set,
+                             const RowSpans& colours, RuleSet rules, MapChanges& changes) {
   const Lattice& lattice = maps.lattice;
+  const bool is_moved = move != glm::ivec2(0);
   changes.set_nothing();
   changes.tiles.assign(lattice.size(), MapChanges::kSame);
   touched_.resize(lattice.size());
+  const int offset = move.y * lattice.stride() + move.x;
+  if (is_moved) {
+    changes.moves.push_back(move);
+    cover(lattice, move, changes.tiles);
+  }
   if (rules.has(Rule::tiles_by_curves)) {
-    for (const int slot : slots) {
-      const int now = maps.curve[slot], before = maps.curve_before[slot];
-      if (now != before) mark(maps, slot, now, before);
+    for (const SetCurve& curve : set) {
+      const int now = maps.curve[curve.slot];
+      if (now != curve.before) mark(maps, curve.slot, now, curve.before);
     }
   }
   for (int y = 0; y < colours.rows(); ++y) {
-    const int first = lattice.pixel(colours[y].from, y);
-    for_each_difference(maps.colours.data() + first, maps.colours_before.data() + first, colours[y].length(),
-                        [&](int x) {
-                          if (rules.has(Rule::tiles_by_colours)) changes.tiles[first + x] = MapChanges::kNew;
-                          if (!rules.has(Rule::tiles_by_side_colours)) return;
-                          for (const int slot : edges_round(first + x, lattice.stride())) {
-                            const int now = maps.curve[slot];  // where it is not what it was, it is marked
-                            if (now == maps.curve_before[slot]) mark(maps, slot, now, 0);
-                          }
-                        });
+    for (int x = colours[y].from; x < colours[y].to; ++x) {
+      // A colour that comes from outside the frame is taken from anywhere: its tile is new all the same.
+      const int pixel = lattice.pixel(x, y), from = std::clamp(pixel - offset, 0, lattice.size() - 1);
+      if (maps.colours[pixel] == maps.colours_before[from]) continue;
+      if (rules.has(Rule::tiles_by_colours)) changes.tiles[pixel] = MapChanges::kNew;
+      if (!rules.has(Rule::tiles_by_side_colours)) continue;
+      for (const int slot : edges_round(pixel, lattice.stride())) mark(maps, slot, maps.curve[slot], 0);
+    }
   }
-  take_marks(lattice, changes.tiles);
-  changes.new_tiles = 0;
+  differs_.assign(lattice.size(), 0);
+  take_marks(lattice, differs_);
+  for (std::size_t i = 0; i < differs_.size(); ++i) {
+    changes.tiles[i] = differs_[i] != 0 ? MapChanges::kNew : changes.tiles[i];
+  }
+  if (is_moved) keep_flat(maps, changes.tiles);
+  count(lattice, changes);
+}
+
+/// Fills in what a move brings: its own value, and kNew in tiles that it uncovers.
+void MapComparison::cover(const Lattice& lattice, glm::ivec2 move, std::vector<std::uint8_t>& tiles) {
   for (int y = 0; y < lattice.height(); ++y) {
-    const auto row = changes.tiles.begin() + lattice.pixel(0, y);
-    changes.new_tiles += static_cast<int>(std::count(row, row + lattice.width(), MapChanges::kNew));
+    const auto row = tiles.begin() + lattice.pixel(0, y);
+    std::fill_n(row, lattice.width(), MapChanges::kNew);
+    if (y < move.y || y >= lattice.height() + move.y) continue;
+    const int west = std::max(0, move.x), east = std::min(lattice.width(), lattice.width() + move.x);
+    if (west < east) std::fill(row + west, row + east, MapChanges::kMoved);
+  }
+}
+
+/// Tiles of one colour, without curves, that are what they were although the map moved need not be moved.
+void MapComparison::keep_flat(const MapPair& maps, std::vector<std::uint8_t>& tiles) {
+  const Lattice& lattice = maps.lattice;
+  const int stride = lattice.stride();
+  const auto load = [](const auto& values, int i) { return load_vector<Byte16>(values.data() + i); };
+  const auto occupied = [&](const std::vector<CornerCode>& codes, int pixel) {
+    const int north_west = pixel - stride - 1;
+    return load(codes, north_west) | load(codes, north_west + 1) | load(codes, pixel - 1) | load(codes, pixel);
+  };
+  for (int y = 0; y < lattice.height(); ++y) {
+    const int first = lattice.pixel(0, y);
+    for (int x = 0; x < lattice.width(); x += sizeof(Byte16)) {  // may write into the padding
+      const int pixel = first + x;
+      const auto recoloured = [&](int k) -> Word4 {
+        const auto now = load_vector<Word4>(maps.colours.data() + pixel + k);
+        const auto before = load_vector<Word4>(maps.colours_before.data() + pixel + k);
+        return reinterpret_cast<Word4>(now != before) & 1;
+      };
+      const Byte16 differs = occupied(maps.codes, pixel) | occupied(maps.codes_before, pixel) |
+                             pack_words(recoloured(0), recoloured(4), recoloured(8), recoloured(12));
+      const Byte16 tile = load(tiles, pixel);
+      const auto stays = (differs == 0) & (tile != MapChanges::kNew);
+      store_vector(tiles.data() + pixel, tile & ~reinterpret_cast<Byte16>(stays));
+    }
+  }
+}
+
+void MapComparison::count(const Lattice& lattice, MapChanges& changes) {
+  changes.new_tiles = changes.moved_tiles = 0;
+  for (int y = 0; y < lattice.height(); ++y) {
+    const std::uint8_t* row = changes.tiles.data() + lattice.pixel(0, y);
+    int fresh = 0, moved = 0;
+    for (int x = 0; x < lattice.width(); ++x) {
+      fresh += row[x] == MapChanges::kNew ? 1 : 0;
+      moved += row[x] >= MapChanges::kMoved ? 1 : 0;
+    }
+    changes.new_tiles += fresh;
+    changes.moved_tiles += moved;
   }
 }
 
@@ -165,40 +222,39 @@ void MapComparison::compare_moved(const MapPair& maps, glm::ivec2 move, int firs
   take_marks(lattice, differs_);
 }
 
-void MapComparison::take_moved(const Lattice& lattice, glm::ivec2 move, MapChanges& changes) {
-  const auto value = static_cast<std::uint8_t>(MapChanges::kMoved + changes.moves.size());
+/// Gives new tiles that are what a move brings its value.
+void MapComparison::take_moved(const Lattice& lattice, glm::ivec2 move, MapChanges& changes) const {
+  const bool stays = move == glm::ivec2(0);
+  const auto value =
+      stays ? MapChanges::kSame : static_cast<std::uint8_t>(MapChanges::kMoved + changes.moves.size());
   const int west = std::max(0, move.x), east = std::min(lattice.width(), lattice.width() + move.x);
-  int moved = 0;
   for (int y = std::max(0, move.y); y < std::min(lattice.height(), lattice.height() + move.y); ++y) {
     std::uint8_t* tiles = changes.tiles.data() + lattice.pixel(0, y);
     const std::uint8_t* differs = differs_.data() + lattice.pixel(0, y);
     for (int x = west; x < east; ++x) {
-      const bool is_moved = tiles[x] == MapChanges::kNew && differs[x] == 0;
-      tiles[x] = is_moved ? value : tiles[x];
-      moved += is_moved ? 1 : 0;
+      tiles[x] = tiles[x] == MapChanges::kNew && differs[x] == 0 ? value : tiles[x];
     }
   }
-  if (moved == 0) return;
-  changes.moves.push_back(move);
-  changes.new_tiles -= moved;
-  changes.moved_tiles += moved;
+  const int before = changes.new_tiles;
+  count(lattice, changes);
+  if (changes.new_tiles < before && !stays) changes.moves.push_back(move);
 }
 
-void MapComparison::find_moved(const MapPair& maps, std::span<const int> slots,
+void MapComparison::find_moved(const MapPair& maps, std::span<const SetCurve> set,
                                std::span<const glm::ivec2> moves, MapChanges& changes) {
   const Lattice& lattice = maps.lattice;
   const auto has_new = [&](int y) {
-    return std::memchr(changes.tiles.data() + lattice.pixel(0, y), MapChanges::kNew, lattice.width()) !=
-           nullptr;
+    return std::memchr(changes.tiles.data() + lattice.pixel(0, y), MapChanges::kNew, lattice.width()) != nullptr;
   };
-  int first_row = 0, end_row = lattice.height();
-  while (first_row < end_row && !has_new(first_row)) ++first_row;
-  while (end_row > first_row && !has_new(end_row - 1)) --end_row;
   for (const glm::ivec2 move : moves) {
     if (changes.new_tiles * kLeastPart <= lattice.width() * lattice.height()) return;
-    // Farther ones bring nothing.
-    if (std::abs(move.x) >= lattice.width() || std::abs(move.y) >= lattice.height()) continue;
-    if (!is_likely(maps, slots, move)) continue;
+    // Farther ones bring nothing, and those that were tried bring no more.
+    const bool is_tried = std::find(changes.moves.begin(), changes.moves.end(), move) != changes.moves.end();
+    const bool is_near = std::abs(move.x) < lattice.width() && std::abs(move.y) < lattice.height();
+    if (is_tried || !is_near || !is_likely(maps, set, move)) continue;
+    int first_row = 0, end_row = lattice.height();
+    while (first_row < end_row && !has_new(first_row)) ++first_row;
+    while (end_row > first_row && !has_new(end_row - 1)) --end_row;
     differs_.assign(lattice.size(), 0);
     compare_moved(maps, move, first_row, end_row);
     take_moved(lattice, move, changes);

@@ -10,39 +10,50 @@
 
 namespace depixel {
 
-/// Two maps of one size, of this frame and the one before, with curves from one table. An edge whose curve is
-/// what it was has the number that it had.
+/// Two maps of one size, of this frame and the one before, with curves from one table.
 struct MapPair {
   const Lattice& lattice;
   const SplineTable& table;
-  const std::vector<int>&curve, &curve_before;       ///< by edge_slot()
-  const std::vector<Rgba>&colours, &colours_before;  ///< padded, by pixel
+  const std::vector<int>&curve, &curve_before;          ///< by edge_slot()
+  const std::vector<CornerCode>&codes, &codes_before;  ///< padded, by corner; read where the map moved
+  const std::vector<Rgba>&colours, &colours_before;    ///< padded, by pixel
+};
+
+/// An edge that was given a curve, and the number of the one that it had; 0 stands for none. Equal curves have
+/// equal numbers here.
+struct SetCurve {
+  int slot, before;
 };
 
 /// Finds the tiles in which two maps differ, and those that only moved. Keeps its buffers.
 class MapComparison {
  public:
-  /// Marks what is new.
-  /// \param slots    all edges whose curves may differ, each once.
-  /// \param colours  where colours may differ.
-  void find_new(const MapPair& maps, std::span<const int> slots, const RowSpans& colours, RuleSet rules,
-                MapChanges& changes);
+  /// Marks what is new, where most of the map is as it was, or was moved as a whole.
+  /// \param move     by which the map before was moved to make this one.
+  /// \param set      all edges whose curves may differ from those of the map moved, each once.
+  /// \param colours  where colours may differ from them.
+  void find_new(const MapPair& maps, glm::ivec2 move, std::span<const SetCurve> set, const RowSpans& colours,
+                RuleSet rules, MapChanges& changes);
 
-  /// Finds which of the new tiles were elsewhere in the map before: all that lies in them did. So a move need
-  /// not be right, or the only one: what it does not explain stays new.
-  /// \param slots  as in find_new().
+  /// Finds which of the new tiles are what they were (the move by nothing), and which were elsewhere in the map
+  /// before: all that lies in them was. So a move need not be right, or the only one: what it does not explain
+  /// stays new.
+  /// \param set    as in find_new().
   /// \param moves  to be tried, in source pixels; the first ones first.
   /// Cost: linear in corners for each move, a few operations on 16 bytes for what agrees.
-  void find_moved(const MapPair& maps, std::span<const int> slots, std::span<const glm::ivec2> moves,
+  void find_moved(const MapPair& maps, std::span<const SetCurve> set, std::span<const glm::ivec2> moves,
                   MapChanges& changes);
 
   std::size_t memory_bytes() const { return held_bytes(touched_, differs_); }
 
  private:
+  static void cover(const Lattice& lattice, glm::ivec2 move, std::vector<std::uint8_t>& tiles);
+  static void keep_flat(const MapPair& maps, std::vector<std::uint8_t>& tiles);
+  static void count(const Lattice& lattice, MapChanges& changes);
   void mark(const MapPair& maps, int slot, int now, int before);
   void take_marks(const Lattice& lattice, std::vector<std::uint8_t>& tiles);
   void compare_moved(const MapPair& maps, glm::ivec2 move, int first_row, int end_row);
-  void take_moved(const Lattice& lattice, glm::ivec2 move, MapChanges& changes);
+  void take_moved(const Lattice& lattice, glm::ivec2 move, MapChanges& changes) const;
 
   std::vector<TileMask> touched_;      ///< padded, by corner: tiles that marked curves of its edges touch
   std::vector<std::uint8_t> differs_;  ///< padded, by tile: 1 where it is not what a move brings there

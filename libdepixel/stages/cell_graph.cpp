@@ -42,6 +42,7 @@ class CornerEncoder {
     for (int y = first; y < end; ++y) {
       if (y == 0 || y == lattice.height()) {
         for (int x = 1; x < lattice.width(); ++x) encode_border(x, y, y == 0 ? kSouth : kNorth);
+        for (const int x : {0, lattice.width()}) cells_.corners[lattice.corner(x, y)] = CornerCode{};
         continue;
       }
       const int row = lattice.corner(1, y), count = lattice.width() - 1;
