@@ -119,15 +119,22 @@ void MapComparison::find_new(const MapPair& maps, glm::ivec2 move, std::span<con
       if (now != curve.before) mark(maps, curve.slot, now, curve.before);
     }
   }
+  const auto mark_colour = [&](int pixel) {
+    if (rules.has(Rule::tiles_by_colours)) changes.tiles[pixel] = MapChanges::kNew;
+    if (!rules.has(Rule::tiles_by_side_colours)) return;
+    for (const int slot : edges_round(pixel, lattice.stride())) mark(maps, slot, maps.curve[slot], 0);
+  };
   for (int y = 0; y < colours.rows(); ++y) {
-    for (int x = colours[y].from; x < colours[y].to; ++x) {
-      // A colour that comes from outside the frame is taken from anywhere: its tile is new all the same.
-      const int pixel = lattice.pixel(x, y), from = std::clamp(pixel - offset, 0, lattice.size() - 1);
-      if (maps.colours[pixel] == maps.colours_before[from]) continue;
-      if (rules.has(Rule::tiles_by_colours)) changes.tiles[pixel] = MapChanges::kNew;
-      if (!rules.has(Rule::tiles_by_side_colours)) continue;
-      for (const int slot : edges_round(pixel, lattice.stride())) mark(maps, slot, maps.curve[slot], 0);
-    }
+    // Where the move brings colours from within the frame, they are compared; elsewhere all are new.
+    const bool has_source = y >= move.y && y < lattice.height() + move.y;
+    const Span span = colours[y];
+    const int west = has_source ? std::clamp(std::max(0, move.x), span.from, span.to) : span.to;
+    const int east = std::clamp(std::min(lattice.width(), lattice.width() + move.x), west, span.to);
+    const int first = lattice.pixel(west, y);
+    for (int x = span.from; x < west; ++x) mark_colour(lattice.pixel(x, y));
+    for_each_difference(maps.colours.data() + first, maps.colours_before.data() + first - offset, east - west,
+                        [&](int x) { mark_colour(first + x); });
+    for (int x = east; x < span.to; ++x) mark_colour(lattice.pixel(x, y));
   }
   differs_.assign(lattice.size(), 0);
   take_marks(lattice, differs_);

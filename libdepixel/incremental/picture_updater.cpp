@@ -89,9 +89,9 @@ void PictureUpdater::find_strips(const OutputGrid& grid) {
   }
 }
 
-void PictureUpdater::find_windows(const IncrementalVectorizer& source, const Strip& strip,
-                                  Scratch& scratch) const {
-  const Lattice& lattice = source.lattice();
+void PictureUpdater::find_windows(const IncrementalVectorizer& source, const OutputGrid& grid,
+                                  const Strip& strip, Scratch& scratch) const {
+  const Lattice& lattice = grid.lattice;
   const int width = lattice.width();
   scratch.stale.assign(width, 0);
   scratch.occupied.assign(width + 1, 0);
@@ -103,37 +103,49 @@ void PictureUpdater::find_windows(const IncrementalVectorizer& source, const Str
   for (int y = strip.first; y <= strip.end; ++y) {
     unite(codes + lattice.corner(0, y), width + 1, scratch.occupied.data());
   }
-  const std::uint8_t* occupied = scratch.occupied.data();
-  const auto is_clear = [&](int x) { return (occupied[x] | occupied[x + 1]) == 0; };
   scratch.windows.clear();
   for (int x = 0; x < width;) {
     const auto* next = static_cast<const std::uint8_t*>(std::memchr(scratch.stale.data() + x, 1, width - x));
-    if (next == nullptr) return;
+    if (next == nullptr) break;
     const int from = static_cast<int>(next - scratch.stale.data());
     for (x = from; x < width && scratch.stale[x] != 0;) ++x;
-    const int last = scratch.windows.empty() ? -1 : scratch.windows.back().to;
-    int clear = from - 1;
-    while (clear >= std::max(last, 0) && !is_clear(clear)) --clear;
-    if (last >= 0 && (clear < last || from - last < kLeastGap)) {
+    if (!scratch.windows.empty() && from - scratch.windows.back().to < kLeastGap) {
       scratch.windows.back().to = x;
     } else {
-      scratch.windows.push_back({clear, from, x});
+      scratch.windows.push_back({0, from, x});
     }
+  }
+  // East of this, what lies at the target's side is cut off.
+  int east_end = width;
+  while (grid.column(east_end) > (grid.target.width - (east_end < width ? 1 : 0)) * kRasterSubpixels) --east_end;
+  const std::uint8_t* occupied = scratch.occupied.data();
+  const auto is_clear = [&](int x) { return (occupied[x] | occupied[x + 1]) == 0; };
+  for (Window& window : scratch.windows) {
+    int west = window.from - 1, east = window.to;
+    while (west >= 0 && !is_clear(west)) --west;
+    const int nearer = window.from - west;
+    while (east < std::min(width, window.to + nearer) && !is_clear(east)) ++east;
+    window.clear = east <= east_end && east - window.to < nearer ? east : west;
   }
 }
 
 template <typename Model>
-void PictureUpdater::draw_window(const IncrementalVectorizer& source, const OutputGrid& grid,
-                                 const Strip& strip, const Window& window, BandSums<Model>& sums,
-                                 Scratch& scratch) const {
+void PictureUpdater::draw_window(const IncrementalVectorizer& source, const OutputGrid& grid, const Strip& strip,
+                                 const Window& window, BandSums<Model>& sums, Scratch& scratch) const {
   const Lattice& lattice = grid.lattice;
   const std::vector<Rgba>& colours = source.colours();
-  const int left_px =
-      std::max(0, window.clear < 0 ? floor_px(grid.column(0)) : ceil_px(grid.column(window.clear)));
+  const bool is_clear_west = window.clear < window.from;
+  // Tiles whose curves are looked at, first .. end - 1, and what curves that touch them may reach.
+  const int first = is_clear_west ? window.clear + 1 : window.from;
+  const int end = is_clear_west ? window.to : window.clear;
+  const int reach = is_clear_west ? window.to + kBeyondWindow : end;
+  int left_px = floor_px(grid.column(std::max(window.from - kBeyondWindow, 0)));
+  if (is_clear_west) left_px = window.clear < 0 ? floor_px(grid.column(0)) : ceil_px(grid.column(window.clear));
+  left_px = std::max(left_px, 0);
   const int from_px = std::max(floor_px(grid.column(window.from)), left_px);
   const int to_px = std::min(ceil_px(grid.column(window.to)), grid.target.width);
   if (from_px >= to_px) return;
-  const int right_px = std::min(ceil_px(grid.column(window.to + kBeyondWindow)) + 1, grid.target.width);
+  const int right_px = std::min(ceil_px(grid.column(reach)) + 1, grid.target.width);
   sums.resize(right_px - left_px);
   sums.start(strip.first_px, strip.end_px - strip.first_px);
 
@@ -147,37 +159,35 @@ void PictureUpdater::draw_window(const IncrementalVectorizer& source, const Outp
   };
   for (int y = std::max(strip.first - 1, 0); y <= std::min(strip.end + 1, lattice.height()); ++y) {
     const TileMask wanted = rows_mask(y, strip.first, strip.end);
-    const int first = window.clear + 1;
-    const int* curve = source.edges().curve.data() + edge_slot(lattice.corner(first, y), false);
-    for (int x = first; x <= window.to; ++x, curve += 2) {
+    // An edge eastwards from the corner before the first touches its tile, too.
+    const int west = std::max(first - 1, 0);
+    const int* curve = source.edges().curve.data() + edge_slot(lattice.corner(west, y), false);
+    for (int x = west; x <= end; ++x, curve += 2) {
       for (const int southwards : {0, 1}) {
-        if (curve[southwards] != 0 && (source.table().tiles(curve[southwards]) & wanted) != 0) {
-          add(lattice.corner(x, y), x, y, curve[southwards], southwards != 0);
-        }
+        if (curve[southwards] == 0 || (x < first && southwards != 0)) continue;
+        if ((source.table().tiles(curve[southwards]) & wanted) == 0) continue;
+        add(lattice.corner(x, y), x, y, curve[southwards], southwards != 0);
       }
     }
   }
   // The border: on the left, the picture begins; on the right, it ends.
   const int west = grid.column(0) - shift, east = grid.column(lattice.width()) - shift;
+  const bool has_west = window.clear < 0, has_east = end == lattice.width();
   for (int y = strip.first; y < strip.end; ++y) {
     const int y0 = grid.row(y), y1 = grid.row(y + 1);
-    if (window.clear < 0) {
-      sums.add_line(west, y0, west, y1, Model::change(Rgba{}, colours[lattice.pixel(0, y)]));
-    }
-    if (window.to == lattice.width()) {
-      sums.add_line(east, y0, east, y1,
-                    Model::change(colours[lattice.pixel(lattice.width() - 1, y)], Rgba{}));
+    if (has_west) sums.add_line(west, y0, west, y1, Model::change(Rgba{}, colours[lattice.pixel(0, y)]));
+    if (has_east) {
+      sums.add_line(east, y0, east, y1, Model::change(colours[lattice.pixel(lattice.width() - 1, y)], Rgba{}));
     }
   }
   const int north = grid.row(0), south = grid.row(lattice.height());
+  const bool is_border = window.clear < 0 || window.clear == lattice.width();
+  const Rgba clear_colour = is_border ? Rgba{} : colours[lattice.pixel(window.clear, strip.first)];
   for (int row = strip.first_px; row < strip.end_px; ++row) {
-    typename Model::Sums before{};
-    if (window.clear >= 0) {
-      const int covered =
-          std::min((row + 1) * kRasterSubpixels, south) - std::max(row * kRasterSubpixels, north);
-      const Rgba colour = colours[lattice.pixel(window.clear, strip.first)];
-      before = Model::times(Model::change(Rgba{}, colour), 2 * kRasterSubpixels * std::max(covered, 0));
-    }
+    const int covered = std::min((row + 1) * kRasterSubpixels, south) - std::max(row * kRasterSubpixels, north);
+    typename Model::Sums before =
+        Model::times(Model::change(Rgba{}, clear_colour), 2 * kRasterSubpixels * std::max(covered, 0));
+    if (!is_clear_west) before -= sums.total(row - strip.first_px);
     std::uint8_t* out = grid.target.pixels + row * grid.target.pitch + std::ptrdiff_t{4} * left_px;
     sums.resolve(row - strip.first_px, out, before, from_px - left_px, to_px - left_px);
   }
@@ -194,7 +204,7 @@ void PictureUpdater::draw_stale(const IncrementalVectorizer& source, const Outpu
   for (Scratch& own : scratch_) own.drawn_pixels = 0;
   workers_.run(static_cast<int>(strips_.size()), [&](int part, int thread) {
     Scratch& own = scratch_[thread];
-    find_windows(source, strips_[part], own);
+    find_windows(source, grid, strips_[part], own);
     for (const Window& window : own.windows) {
       draw_window(source, grid, strips_[part], window, sums[thread], own);
     }

@@ -13,9 +13,9 @@ namespace depixel {
 /// Keeps a picture of what an IncrementalVectorizer made of frame after frame: the same pixels as
 /// CpuRaster's, bit for bit, but only those are written whose tiles changed.
 ///
-/// What moved is copied. The rest is drawn in windows of some rows of tiles. A window begins right of a
-/// *clear* tile, whose four corners no visible edge touches: no curve lies in it, so the sum of all that lies
-/// left of it is that tile's own colour, and nothing on its left need be looked at.
+/// What moved is copied. The rest is drawn in windows of some rows of tiles. Beside a window lies a *clear* tile,
+/// whose four corners no visible edge touches: no curve lies in it, so the sum of all that lies left of it is that
+/// tile's own colour, and nothing on its other side need be looked at.
 class PictureUpdater {
  public:
   /// Draws a view over the whole target.
@@ -42,7 +42,7 @@ class PictureUpdater {
   };
   /// Tiles that are drawn together, in some rows.
   struct Window {
-    int clear;     ///< column of the clear tile on the left; -1 where it begins at the frame's border
+    int clear;     ///< column of the nearest clear tile, on either side; -1 or the frame's width: its border
     int from, to;  ///< columns of tiles, from .. to - 1
   };
   /// Some rows of output pixels, and the rows of tiles that they lie over, first .. end - 1.
@@ -58,7 +58,8 @@ class PictureUpdater {
   };
 
   void find_strips(const OutputGrid& grid);
-  void find_windows(const IncrementalVectorizer& source, const Strip& strip, Scratch& scratch) const;
+  void find_windows(const IncrementalVectorizer& source, const OutputGrid& grid, const Strip& strip,
+                    Scratch& scratch) const;
   template <typename Model>
   void draw_stale(const IncrementalVectorizer& source, const OutputGrid& grid);
   template <typename Model>

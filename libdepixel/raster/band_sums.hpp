@@ -76,6 +76,17 @@ class BandSums {
   /// Turns the sums of a row of the band into pixels, and clears them.
   void resolve(int row, std::uint8_t* out) { resolve(row, out, Sums{}, 0, width_); }
 
+  /// The sum of all sums of a row.
+  Sums total(int row) const {
+    const Sums* sums = sums_.data() + row * stride();
+    Sums total{};
+    for (int word = 0; word < words_; ++word) {
+      std::uint64_t bits = touched_[std::size_t(row) * word_capacity_ + word];
+      for (; bits != 0; bits &= bits - 1) total += sums[word * kWordPixels + std::countr_zero(bits)];
+    }
+    return total;
+  }
+
   /// The same for a part of the row: only pixels from .. to - 1 are written.
   /// \param before  the sum of all sums left of the row.
   void resolve(int row, std::uint8_t* out, Sums before, int from, int to) {
