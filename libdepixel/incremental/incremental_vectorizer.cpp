@@ -30,6 +30,15 @@ void copy_span(const Lattice& lattice, const RowSpans& spans, const std::vector<
   }
 }
 
+bool is_opaque_part(const Lattice& lattice, const RowSpans& spans, const std::vector<Rgba>& colours) {
+  std::uint8_t all = 255;
+  for (int y = 0; y < spans.rows(); ++y) {
+    const Rgba* row = colours.data() + lattice.pixel(0, y);
+    for (int x = spans[y].from; x < spans[y].to; ++x) all &= row[x].a;
+  }
+  return all == 255;
+}
+
 void set_all(const Lattice& lattice, RowSpans& spans) {
   spans.reset(lattice.height());
   for (int y = 0; y < lattice.height(); ++y) spans.set(y, {0, lattice.width()});
@@ -96,9 +105,7 @@ void IncrementalVectorizer::count() {
   stats_.pixels = lattice.width() * lattice.height();
   stats_.changed_tiles = changes_.everything ? stats_.pixels : changes_.new_tiles;
   stats_.moved_tiles = changes_.everything ? 0 : changes_.moved_tiles;
-  int segments = 0;
-  for (const CornerCode code : cells_.corners) segments += (code.bits() >> kEast & 1) + (code.bits() >> kSouth & 1);
-  stats_.segments = segments;
+  
   stats_.memory_bytes = memory_bytes();
 }
 
@@ -122,6 +129,8 @@ void IncrementalVectorizer::forget(const Lattice& lattice) {
   is_slot_set_.assign(edges_.curve.size(), 0);
   set_curves_.clear();
   is_before_settled_ = false;
+  is_opaque_ = false;
+  stats_.segments = 0;
 }
 
 /// What is of this frame becomes that of the frame before. The next frame's is the same until it changes.
@@ -160,6 +169,8 @@ void IncrementalVectorizer::move_everything() {
   std::swap(cells_.colours, colours_before_);
   std::swap(cells_.corners, codes_before_);
   std::swap(edges_.curve, curves_before_);
+  const auto hidden = std::count(edges_.curve.begin(), edges_.curve.end(), 0);
+  stats_.segments = static_cast<int>(static_cast<std::ptrdiff_t>(edges_.curve.size()) - hidden);
   is_before_settled_ = false;
   forget_set_curves();
 }
@@ -214,11 +225,15 @@ void IncrementalVectorizer::recolour() {
   if (!has_whole_components()) {
     changed_colours_ = changed_pixels_;
     copy_span(lattice, changed_colours_, graph_.pixels, cells_.colours);
+    // What was opaque stays so unless something transparent comes.
+    is_opaque_ = is_opaque_ ? is_opaque_part(lattice, changed_colours_, cells_.colours)
+                            : depixel::is_opaque(lattice, cells_.colours);
     return;
   }
   label_components(graph_, components_);
   find_majority_colours(graph_, components_);
   paint_cells(graph_, &components_, cells_);
+  is_opaque_ = depixel::is_opaque(lattice, cells_.colours);
   changed_colours_.reset(lattice.height());
   for (int y = 0; y < lattice.height(); ++y) {
     const int first = lattice.pixel(0, y);
@@ -313,6 +328,7 @@ void IncrementalVectorizer::set_curve(int slot, int number) {
     is_slot_set_[slot] = 1;
     set_curves_.push_back({slot, edges_.curve[slot]});
   }
+  stats_.segments += (number != 0 ? 1 : 0) - (edges_.curve[slot] != 0 ? 1 : 0);
   edges_.curve[slot] = number;
 }
 

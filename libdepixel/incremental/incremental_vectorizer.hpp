@@ -37,6 +37,8 @@ class IncrementalVectorizer {
   const SplineTable& table() const { return table_; }
   const std::vector<Rgba>& colours() const { return cells_.colours; }
   const Lattice& lattice() const { return graph_.lattice; }
+  /// True where nothing of the frame lets anything through.
+  bool is_opaque() const { return is_opaque_; }
   /// The map as a list of segments; made when it is asked for, and kept until the next frame.
   const PlanarMap& map() const;
   const VectorizeStats& stats() const { return stats_; }
@@ -79,6 +81,7 @@ class IncrementalVectorizer {
   Components components_;
   CellGraph cells_;
   std::vector<Rgba> colours_before_;
+  bool is_opaque_ = false;
   std::vector<std::uint8_t> thin_;
   RowSpans changed_pixels_, changed_frozen_, changed_links_, changed_colours_;
 

@@ -69,19 +69,18 @@ void MapComparison::mark(const MapPair& maps, int slot, int now, int before) {
   touched_[slot / 2] |= maps.table.tiles(now) | maps.table.tiles(before);
 }
 
-/// Sets the tiles that the marked edges' curves touch to 1, those of other rows are left alone; forgets
-/// marks.
-void MapComparison::take_marks(const Lattice& lattice, std::vector<std::uint8_t>& tiles) {
+/// Gives the tiles that the marked edges' curves touch a value; forgets the marks.
+void MapComparison::take_marks(const Lattice& lattice, std::uint8_t value, std::vector<std::uint8_t>& tiles) {
   constexpr int kLanes = sizeof(Mask8) / sizeof(TileMask);
   const int stride = lattice.stride();
   std::array<int, 9> back;  // from a tile to the owner whose mask's bit it is
   for (int bit = 0; bit < 9; ++bit) back[bit] = bit / 3 * stride + bit % 3;
   // Owners may lie a corner outside the frame.
   const int owners = lattice.width() + 3;
-  const auto row_of_owners = [&](int y) { return touched_.begin() + lattice.corner(-1, y); };
+  const auto row_of_owners = [&](int y) { return touched_.data() + lattice.corner(-1, y); };
   const auto is_marked = [&](int y) {
-    const auto row = row_of_owners(y);
-    return std::any_of(row, row + owners, [](TileMask mask) { return mask != 0; });
+    const TileMask* row = row_of_owners(y);
+    return row[0] != 0 || std::memcmp(row, row + 1, (owners - 1) * sizeof(TileMask)) != 0;
   };
   bool above = is_marked(-1), at = is_marked(0), below;
   for (int y = 0; y < lattice.height(); ++y, above = at, at = below) {
@@ -94,11 +93,16 @@ void MapComparison::take_marks(const Lattice& lattice, std::vector<std::uint8_t>
         found |= load_vector<Mask8>(touched_.data() + first + x - back[bit]) >> bit;
       }
       found &= 1;
-      for (int lane = 0; lane < kLanes; ++lane)
-        tiles[first + x + lane] |= static_cast<std::uint8_t>(found[lane]);
+      for (int lane = 0; lane < kLanes; ++lane) {
+        std::uint8_t& tile = tiles[first + x + lane];
+        tile = found[lane] != 0 ? value : tile;
+      }
     }
+    if (above) std::fill_n(row_of_owners(y - 1), owners, TileMask{0});
   }
-  for (int y = -1; y <= lattice.height() + 1; ++y) std::fill_n(row_of_owners(y), owners, TileMask{0});
+  for (int y = lattice.height() - 1; y <= lattice.height() + 1; ++y) {
+    std::fill_n(row_of_owners(y), owners, TileMask{0});
+  }
 }
 
 void MapComparison::find_new(const MapPair& maps, glm::ivec2 move, std::span<const SetCurve> set,
@@ -136,11 +140,7 @@ void MapComparison::find_new(const MapPair& maps, glm::ivec2 move, std::span<con
                         [&](int x) { mark_colour(first + x); });
     for (int x = east; x < span.to; ++x) mark_colour(lattice.pixel(x, y));
   }
-  differs_.assign(lattice.size(), 0);
-  take_marks(lattice, differs_);
-  for (std::size_t i = 0; i < differs_.size(); ++i) {
-    changes.tiles[i] = differs_[i] != 0 ? MapChanges::kNew : changes.tiles[i];
-  }
+  take_marks(lattice, MapChanges::kNew, changes.tiles);
   if (is_moved) keep_flat(maps, changes.tiles);
   count(lattice, changes);
 }
@@ -197,28 +197,44 @@ void MapComparison::count(const Lattice& lattice, MapChanges& changes) {
   }
 }
 
-/// Marks the tiles that are not what lay by a move from them before. Only rows first_row to end_row - 1 of
-/// tiles are wanted.
-void MapComparison::compare_moved(const MapPair& maps, glm::ivec2 move, int first_row, int end_row) {
+/// In each row, from the first new tile to the last.
+void MapComparison::find_new_spans(const Lattice& lattice, const std::vector<std::uint8_t>& tiles) {
+  new_.reset(lattice.height());
+  for (int y = 0; y < lattice.height(); ++y) {
+    const std::uint8_t* row = tiles.data() + lattice.pixel(0, y);
+    const auto* first = static_cast<const std::uint8_t*>(std::memchr(row, MapChanges::kNew, lattice.width()));
+    if (first == nullptr) continue;
+    int to = lattice.width();
+    while (row[to - 1] != MapChanges::kNew) --to;
+    new_.set(y, {static_cast<int>(first - row), to});
+  }
+}
+
+/// Marks the tiles that are not what lay by a move from them before, where new ones are, and maybe others.
+void MapComparison::compare_moved(const MapPair& maps, glm::ivec2 move) {
   const Lattice& lattice = maps.lattice;
   const int stride = lattice.stride(), offset = move.y * stride + move.x;
   // Tiles that have one before: west .. east - 1, north .. south - 1.
   const int west = std::max(0, move.x), east = std::min(lattice.width(), lattice.width() + move.x);
-  const int north = std::max({0, move.y, first_row});
-  const int south = std::min({lattice.height(), lattice.height() + move.y, end_row});
-  // Curves touch them from one corner farther on: in one of the maps that may lie in the padding, without
-  // any.
+  const int north = std::max(0, move.y), south = std::min(lattice.height(), lattice.height() + move.y);
+  // Curves touch them from one corner farther on: in one of the maps that may lie in the padding, without any.
   for (int y = north - 1; y <= south + 1; ++y) {
-    const int first = edge_slot(lattice.corner(west - 1, y), false);
+    const Span span = united(new_.around(y));
+    const int from = std::max(span.from, west) - 1, to = std::min(span.to, east) + 1;
+    if (span.is_empty() || from >= to) continue;
+    const int first = edge_slot(lattice.corner(from, y), false);
     const int* before = maps.curve_before.data() + first - 2 * offset;
-    for_each_difference(maps.curve.data() + first, before, 2 * (east - west + 3), [&](int i) {
+    for_each_difference(maps.curve.data() + first, before, 2 * (to - from + 1), [&](int i) {
       const int now = maps.curve[first + i];
       if (!is_same(maps.table, now, before[i])) mark(maps, first + i, now, before[i]);
     });
   }
   for (int y = north; y < south; ++y) {
-    const int first = lattice.pixel(west, y);
-    for_each_difference(maps.colours.data() + first, maps.colours_before.data() + first - offset, east - west,
+    const Span span = united(new_.around(y));
+    const int from = std::max(span.from - 1, west), to = std::min(span.to + 1, east);
+    if (span.is_empty() || from >= to) continue;
+    const int first = lattice.pixel(from, y);
+    for_each_difference(maps.colours.data() + first, maps.colours_before.data() + first - offset, to - from,
                         [&](int x) {
                           differs_[first + x] = 1;
                           for (const int slot : edges_round(first + x, stride)) {
@@ -226,7 +242,7 @@ void MapComparison::compare_moved(const MapPair& maps, glm::ivec2 move, int firs
                           }
                         });
   }
-  take_marks(lattice, differs_);
+  take_marks(lattice, 1, differs_);
 }
 
 /// Gives new tiles that are what a move brings its value.
@@ -250,20 +266,16 @@ void MapComparison::take_moved(const Lattice& lattice, glm::ivec2 move, MapChang
 void MapComparison::find_moved(const MapPair& maps, std::span<const SetCurve> set,
                                std::span<const glm::ivec2> moves, MapChanges& changes) {
   const Lattice& lattice = maps.lattice;
-  const auto has_new = [&](int y) {
-    return std::memchr(changes.tiles.data() + lattice.pixel(0, y), MapChanges::kNew, lattice.width()) != nullptr;
-  };
+  
   for (const glm::ivec2 move : moves) {
     if (changes.new_tiles * kLeastPart <= lattice.width() * lattice.height()) return;
     // Farther ones bring nothing, and those that were tried bring no more.
     const bool is_tried = std::find(changes.moves.begin(), changes.moves.end(), move) != changes.moves.end();
     const bool is_near = std::abs(move.x) < lattice.width() && std::abs(move.y) < lattice.height();
     if (is_tried || !is_near || !is_likely(maps, set, move)) continue;
-    int first_row = 0, end_row = lattice.height();
-    while (first_row < end_row && !has_new(first_row)) ++first_row;
-    while (end_row > first_row && !has_new(end_row - 1)) --end_row;
+    find_new_spans(lattice, changes.tiles);
     differs_.assign(lattice.size(), 0);
-    compare_moved(maps, move, first_row, end_row);
+    compare_moved(maps, move);
     take_moved(lattice, move, changes);
   }
 }

@@ -44,17 +44,19 @@ class MapComparison {
   void find_moved(const MapPair& maps, std::span<const SetCurve> set, std::span<const glm::ivec2> moves,
                   MapChanges& changes);
 
-  std::size_t memory_bytes() const { return held_bytes(touched_, differs_); }
+  std::size_t memory_bytes() const { return held_bytes(touched_, differs_) + new_.memory_bytes(); }
 
  private:
   static void cover(const Lattice& lattice, glm::ivec2 move, std::vector<std::uint8_t>& tiles);
   static void keep_flat(const MapPair& maps, std::vector<std::uint8_t>& tiles);
   static void count(const Lattice& lattice, MapChanges& changes);
   void mark(const MapPair& maps, int slot, int now, int before);
-  void take_marks(const Lattice& lattice, std::vector<std::uint8_t>& tiles);
-  void compare_moved(const MapPair& maps, glm::ivec2 move, int first_row, int end_row);
+  void take_marks(const Lattice& lattice, std::uint8_t value, std::vector<std::uint8_t>& tiles);
+  void find_new_spans(const Lattice& lattice, const std::vector<std::uint8_t>& tiles);
+  void compare_moved(const MapPair& maps, glm::ivec2 move);
   void take_moved(const Lattice& lattice, glm::ivec2 move, MapChanges& changes) const;
 
+  RowSpans new_;                       ///< new tiles that moves are tried for
   std::vector<TileMask> touched_;      ///< padded, by corner: tiles that marked curves of its edges touch
   std::vector<std::uint8_t> differs_;  ///< padded, by tile: 1 where it is not what a move brings there
 };

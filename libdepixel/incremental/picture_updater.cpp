@@ -51,7 +51,7 @@ void PictureUpdater::draw(const IncrementalVectorizer& source, const MapChanges&
   drawn_pixels_ = moved_pixels_ = 0;
   if (target.width <= 0 || target.height <= 0) return;
   const OutputGrid grid(view, source.lattice(), target);
-  const bool opaque = grid.covers_target() && is_opaque(source.lattice(), source.colours());
+  const bool opaque = grid.covers_target() && source.is_opaque();
   const Drawn now{target, view, source.lattice(), linear_light, opaque};
   const bool is_update =
       is_kept && now == drawn_ && !changes.everything && view.scale_x >= 1 && view.scale_y >= 1;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -17,6 +18,16 @@ struct Span {
   int length() const { return to - from; }
 };
 
+/// The shortest span that holds some spans.
+inline Span united(const std::array<Span, 3>& spans) {
+  Span whole;
+  for (const Span span : spans) {
+    if (span.is_empty()) continue;
+    whole = whole.is_empty() ? span : Span{std::min(whole.from, span.from), std::max(whole.to, span.to)};
+  }
+  return whole;
+}
+
 /// Which part of each row of a picture changed.
 class RowSpans {
  public:
@@ -29,6 +40,14 @@ class RowSpans {
   }
   bool any() const {
     return std::any_of(spans_.begin(), spans_.end(), [](Span span) { return !span.is_empty(); });
+  }
+  /// Those of a row and of its neighbours; rows outside the picture are empty.
+  std::array<Span, 3> around(int row) const {
+    std::array<Span, 3> spans;
+    for (int k = -1; k <= 1; ++k) {
+      if (!is_empty(row + k)) spans[k + 1] = spans_[row + k];
+    }
+    return spans;
   }
   int rows() const { return static_cast<int>(spans_.size()); }
   std::size_t memory_bytes() const { return held_bytes(spans_); }

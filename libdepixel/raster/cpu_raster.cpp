@@ -1,7 +1,6 @@
 #include "libdepixel/raster/cpu_raster.hpp"
 
 #include <algorithm>
-#include <bit>
 
 #include "libdepixel/raster/flatten.hpp"
 
@@ -11,15 +10,6 @@ namespace {
 constexpr int kBandHeight = BandSums<OpaqueColour>::kRows * kRasterSubpixels;
 
 }  // namespace
-
-bool is_opaque(const Lattice& lattice, const std::vector<Rgba>& colours) {
-  std::uint32_t all = ~0U;
-  for (int y = 0; y < lattice.height(); ++y) {
-    const Rgba* row = colours.data() + lattice.pixel(0, y);
-    for (int x = 0; x < lattice.width(); ++x) all &= std::bit_cast<std::uint32_t>(row[x]);
-  }
-  return std::bit_cast<Rgba>(all).a == 255;
-}
 
 /// Counting sort of the segments by the bands they touch. Level segments are left out: they change no sum.
 void CpuRaster::sort_into_bands(const PlanarMap& map, const OutputGrid& grid, int bands) {

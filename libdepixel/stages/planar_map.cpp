@@ -1,8 +1,18 @@
 #include "libdepixel/stages/planar_map.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace depixel {
+
+bool is_opaque(const Lattice& lattice, const std::vector<Rgba>& colours) {
+  std::uint32_t all = ~0U;
+  for (int y = 0; y < lattice.height(); ++y) {
+    const Rgba* row = colours.data() + lattice.pixel(0, y);
+    for (int x = 0; x < lattice.width(); ++x) all &= std::bit_cast<std::uint32_t>(row[x]);
+  }
+  return std::bit_cast<Rgba>(all).a == 255;
+}
 
 void build_planar_map(const EdgeMap& edges, const SplineTable& table, const std::vector<Rgba>& colours,
                       PlanarMap& map) {

@@ -34,6 +34,9 @@ struct PlanarMap {
   std::size_t memory_bytes() const { return held_bytes(colours, segments); }
 };
 
+/// True where no pixel of a frame lets anything through.
+bool is_opaque(const Lattice& lattice, const std::vector<Rgba>& colours);
+
 /// The segment along the visible edge that leaves a corner eastwards or southwards.
 inline Segment segment_of(const EdgeCurve& curve, glm::ivec2 corner_position, int corner, bool southwards,
                           int stride) {
