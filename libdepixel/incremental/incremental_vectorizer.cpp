@@ -63,7 +63,7 @@ void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& opt
     clock.finish(0);
     return;
   }
-  move_ = is_known ? guess_.guess(frame, graph_, changed_pixels_).value_or(glm::ivec2(0)) : glm::ivec2(0);
+  move_ = is_known ? guess_.guess(frame, graph_).value_or(glm::ivec2(0)) : glm::ivec2(0);
   is_all_stale_ = !is_known || move_ != glm::ivec2(0);
   if (move_ != glm::ivec2(0)) {
     move_everything();

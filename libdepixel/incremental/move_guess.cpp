@@ -12,9 +12,11 @@ namespace {
 constexpr std::size_t kMostRecent = 8;
 /// Pixels of a sample: so many in a row seldom agree by chance.
 constexpr int kSamplePixels = kWordLanes;
-constexpr int kMostSamples = 192, kFewestSamples = 16;
-/// A move must explain more than two thirds of what changed.
+constexpr int kMostSamples = 512, kFewestChanged = 16;
+/// A move must leave less than two thirds of the samples that changed.
 constexpr int kWantedOf3 = 2;
+/// Where no move is known, moves of up to this many pixels along either axis are tried.
+constexpr int kFarthest = 12;
 
 Word4 frame_pixels(const FrameView& frame, glm::ivec2 at) {
   constexpr auto kAlpha = std::bit_cast<std::uint32_t>(Rgba{0, 0, 0, 255});
@@ -25,6 +27,12 @@ Word4 frame_pixels(const FrameView& frame, glm::ivec2 at) {
 
 bool is_equal(Word4 a, Word4 b) {
   return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+bool agrees(const FrameView& frame, const SimilarityGraph& before, glm::ivec2 at, glm::ivec2 move) {
+  const glm::ivec2 from = at - move;
+  const auto known = load_vector<Word4>(before.pixels.data() + before.lattice.pixel(from.x, from.y));
+  return is_equal(frame_pixels(frame, at), known);
 }
 
 }  // namespace
@@ -39,40 +47,50 @@ void MoveGuess::remember(glm::ivec2 move) {
   recent_.insert(recent_.begin(), move);
 }
 
-/// Some places that changed, spread over the frame.
-void MoveGuess::take_samples(const FrameView& frame, const SimilarityGraph& before, const RowSpans& changed) {
+/// Some places, spread over the frame. \return how many of them changed.
+int MoveGuess::take_samples(const FrameView& frame, const SimilarityGraph& before) {
   samples_.clear();
-  int length = 0;
-  for (int y = 0; y < changed.rows(); ++y) length += changed[y].length();
-  const int step = std::max(1, length / kMostSamples);
-  int next = step / 2;  // counted along all spans
-  for (int y = 0; y < changed.rows(); next -= changed[y].length(), ++y) {
-    for (; next < changed[y].length(); next += step) {
-      const glm::ivec2 at(std::min(changed[y].from + next, frame.width - kSamplePixels), y);
-      const auto known = load_vector<Word4>(before.pixels.data() + before.lattice.pixel(at.x, at.y));
-      if (!is_equal(frame_pixels(frame, at), known)) samples_.push_back(at);
-    }
+  const int pixels = frame.width * frame.height;
+  int changed = 0;
+  for (int i = 0; i < kMostSamples; ++i) {
+    // Multiples of the golden ratio are spread evenly, in whatever rows the frame is cut.
+    const auto at = static_cast<int>(static_cast<std::uint32_t>(i) * 0x9e3779b1ULL % 0x100000000ULL *
+                                     static_cast<std::uint64_t>(pixels) >> 32);
+    samples_.emplace_back(std::min(at % frame.width, frame.width - kSamplePixels), at / frame.width);
+    changed += agrees(frame, before, samples_.back(), glm::ivec2(0)) ? 0 : 1;
   }
+  return changed;
 }
 
-std::optional<glm::ivec2> MoveGuess::guess(const FrameView& frame, const SimilarityGraph& before,
-                                           const RowSpans& changed) {
-  if (recent_.empty() || frame.width < kSamplePixels) return std::nullopt;
-  take_samples(frame, before, changed);
-  if (static_cast<int>(samples_.size()) < kFewestSamples) return std::nullopt;
+/// How many samples a move leaves unexplained; those that come from outside count as halves, as they may be
+/// anything.
+int MoveGuess::count_unexplained(const FrameView& frame, const SimilarityGraph& before, glm::ivec2 move) const {
+  int twice = 0;
+  for (const glm::ivec2 at : samples_) {
+    const glm::ivec2 from = at - move;
+    const bool is_inside =
+        from.x >= 0 && from.y >= 0 && from.x + kSamplePixels <= frame.width && from.y < frame.height;
+    twice += !is_inside ? 1 : agrees(frame, before, at, move) ? 0 : 2;
+  }
+  return twice / 2;
+}
+
+std::optional<glm::ivec2> MoveGuess::guess(const FrameView& frame, const SimilarityGraph& before) {
+  if (frame.width < kSamplePixels) return std::nullopt;
+  const int changed = take_samples(frame, before);
+  if (changed < kFewestChanged) return std::nullopt;
   std::optional<glm::ivec2> best;
-  std::size_t most = samples_.size() * kWantedOf3 / 3;
-  for (const glm::ivec2 move : recent_) {
-    std::size_t found = 0;
-    for (const glm::ivec2 at : samples_) {
-      const glm::ivec2 from = at - move;
-      if (from.x < 0 || from.y < 0 || from.x + kSamplePixels > frame.width || from.y >= frame.height) continue;
-      const auto known = load_vector<Word4>(before.pixels.data() + before.lattice.pixel(from.x, from.y));
-      found += is_equal(frame_pixels(frame, at), known) ? 1 : 0;
-    }
-    if (found <= most) continue;
-    most = found;
+  int fewest = changed * kWantedOf3 / 3;
+  const auto attempt = [&](glm::ivec2 move) {
+    const int unexplained = count_unexplained(frame, before, move);
+    if (unexplained >= fewest) return;
+    fewest = unexplained;
     best = move;
+  };
+  for (const glm::ivec2 move : recent_) attempt(move);
+  if (best) return best;
+  for (int way = 1; way <= kFarthest; ++way) {
+    for (const glm::ivec2 step : kStep) attempt(step * way);
   }
   return best;
 }
