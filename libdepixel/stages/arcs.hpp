@@ -25,6 +25,9 @@ class ShapeWord {
   /// 1 where the pixel on the left is thin, plus 2 for the right.
   constexpr int thin_sides() const { return bits_ >> kThinShift; }
 
+  static constexpr int kBits = 11;
+  constexpr std::uint16_t bits() const { return bits_; }
+
   friend constexpr bool operator==(ShapeWord, ShapeWord) = default;
 
  private:

@@ -3,28 +3,34 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <numeric>
+
+#include "libdepixel/core/simd.hpp"
 
 namespace depixel {
 namespace {
 
-constexpr std::uint64_t kMultiplier = 0x9e3779b97f4a7c15;
+constexpr std::uint64_t kMultiplier = 0x9e3779b97f4a7c15, kIsHash = std::uint64_t{1} << 63;
 
-std::uint32_t hash_of(std::span<const ShapeWord> words, ArcKind kind) {
-  std::uint64_t hash = words.size() << 16 | std::uint64_t{kind.rounds} << 2 | (kind.closed ? 2U : 0U) |
-                       (kind.interpolated ? 1U : 0U);
+/// What a shape is looked up by. Of up to four nodes, all of it; else a hash, with the uppermost bit set.
+std::uint64_t key_of(std::span<const ShapeWord> words, ArcKind kind) {
+  static_assert(ShapeWord::kBits == 11);
+  const std::uint64_t kind_bits = std::uint64_t{kind.rounds} << 2 | (kind.closed ? 2U : 0U) | (kind.interpolated ? 1U : 0U);
   constexpr std::size_t kAtOnce = sizeof(std::uint64_t) / sizeof(ShapeWord);
+  if (words.size() <= kAtOnce) {
+    std::uint64_t key = words.size() << 6 | kind_bits;
+    for (const ShapeWord word : words) key = key << ShapeWord::kBits | word.bits();
+    return key;
+  }
+  std::uint64_t hash = words.size() << 16 | kind_bits;
   std::size_t k = 0;
   for (; k + kAtOnce <= words.size(); k += kAtOnce) {
-    std::uint64_t four;
-    std::memcpy(&four, words.data() + k, sizeof four);
-    hash = std::rotl((hash ^ four) * kMultiplier, 29);
+    hash = std::rotl((hash ^ load_vector<std::uint64_t>(words.data() + k)) * kMultiplier, 29);
   }
-  if (k < words.size()) {
-    std::uint64_t rest = 0;
-    std::memcpy(&rest, words.data() + k, (words.size() - k) * sizeof(ShapeWord));
-    hash = std::rotl((hash ^ rest) * kMultiplier, 29);
+  if (k < words.size()) {  // the last four once more: some of them are new
+    hash = std::rotl((hash ^ load_vector<std::uint64_t>(words.data() + words.size() - kAtOnce)) * kMultiplier, 29);
   }
-  return static_cast<std::uint32_t>((hash * kMultiplier) >> 32);
+  return hash | kIsHash;
 }
 
 /// Shapes are handed to threads in parts of about this many.
@@ -35,29 +41,31 @@ constexpr int kShapesAtOnce = 64;
 void SplineTable::Index::clear() {
   constexpr std::size_t kFewest = 1024;
   entries_.assign(std::max(kFewest, entries_.size()), {0, -1});
+  shift_ = 64 - std::countr_zero(entries_.size());
   used_ = 0;
 }
 
 void SplineTable::Index::grow() {
   std::vector<Entry> old(2 * entries_.size(), {0, -1});
   old.swap(entries_);
+  --shift_;
   const std::size_t mask = entries_.size() - 1;
   for (const Entry& entry : old) {
     if (entry.number < 0) continue;
-    std::size_t at = entry.hash & mask;
+    std::size_t at = entry.key * kMultiplier >> shift_;
     while (entries_[at].number >= 0) at = (at + 1) & mask;
     entries_[at] = entry;
   }
 }
 
 template <typename IsSame>
-int SplineTable::Index::find_or_add(std::uint32_t hash, int number, IsSame is_same) {
+int SplineTable::Index::find_or_add(std::uint64_t key, int number, IsSame is_same) {
   const std::size_t mask = entries_.size() - 1;
-  std::size_t at = hash & mask;
+  std::size_t at = key * kMultiplier >> shift_;
   for (; entries_[at].number >= 0; at = (at + 1) & mask) {
-    if (entries_[at].hash == hash && is_same(entries_[at].number)) return entries_[at].number;
+    if (entries_[at].key == key && is_same(entries_[at].number)) return entries_[at].number;
   }
-  entries_[at] = {hash, number};
+  entries_[at] = {key, number};
   if (2 * ++used_ > entries_.size()) grow();
   return number;
 }
@@ -78,12 +86,15 @@ int SplineTable::add_curves(int count) {
   curves_.resize(curves_.size() + count);
   tiles_.resize(curves_.size());
   fitted_.resize(curves_.size());
+  std::iota(fitted_.begin() + first, fitted_.end(), first);
   return first;
 }
 
 int SplineTable::curves_of(std::span<const ShapeWord> words, ArcKind kind) {
   const auto next = static_cast<int>(shapes_.size());
-  const int shape = shape_index_.find_or_add(hash_of(words, kind), next, [&](int number) {
+  const std::uint64_t key = key_of(words, kind);
+  const int shape = shape_index_.find_or_add(key, next, [&](int number) {
+    if ((key & kIsHash) == 0) return true;
     const Shape& known = shapes_[number];
     return known.count == static_cast<int>(words.size()) && known.kind == kind &&
            std::memcmp(words_.data() + known.first_word, words.data(), words.size_bytes()) == 0;
@@ -102,7 +113,7 @@ int SplineTable::fit_added(Smoothing smoothing, Workers& workers) {
   for (std::size_t i = fitted_shapes_; i < shapes_.size(); ++i) {
     const Shape& shape = shapes_[i];
     added_.push_back({std::span(words_).subspan(shape.first_word, shape.count), shape.kind,
-                      curves_.data() + shape.first_curve});
+                      curves_.data() + shape.first_curve, tiles_.data() + shape.first_curve});
   }
   const auto count = static_cast<int>(added_.size());
   if (count == 0) return 0;
@@ -118,13 +129,6 @@ int SplineTable::fit_added(Smoothing smoothing, Workers& workers) {
                            smoothing);
     });
   }
-  for (std::size_t i = fitted_shapes_; i < shapes_.size(); ++i) {
-    const int first = shapes_[i].first_curve;
-    for (int number = first; number < first + shapes_[i].step_count(); ++number) {
-      tiles_[number] = touched_tiles(curves_[number]);
-      fitted_[number] = number;
-    }
-  }
   fitted_shapes_ = shapes_.size();
   return count;
 }
@@ -133,13 +137,10 @@ int SplineTable::joined(int fitted, bool southwards, glm::i16vec2 p0, glm::i16ve
   const EdgeCurve base = curves_[fitted];
   if (base.p0 == p0 && base.p3 == p3) return fitted;
   const std::array<std::int16_t, 4> ends{p0.x, p0.y, p3.x, p3.y};
-  std::uint64_t hash;
-  static_assert(sizeof hash == sizeof ends);
-  std::memcpy(&hash, ends.data(), sizeof hash);
-  hash = (std::rotl(hash * kMultiplier, 29) ^ static_cast<std::uint64_t>(fitted)) * kMultiplier;
+  const std::uint64_t key = std::rotl(load_vector<std::uint64_t>(ends.data()) * kMultiplier, 29) ^ static_cast<std::uint64_t>(fitted);
   const auto next = static_cast<int>(curves_.size());
   // An edge's curve is fitted for its direction, so that the direction need not be compared.
-  const int number = joined_index_.find_or_add(static_cast<std::uint32_t>(hash >> 32), next, [&](int known) {
+  const int number = joined_index_.find_or_add(key, next, [&](int known) {
     return fitted_[known] == fitted && curves_[known].p0 == p0 && curves_[known].p3 == p3;
   });
   if (number == next) {

@@ -48,24 +48,25 @@ class SplineTable {
     int step_count() const { return kind.closed ? count : count - 1; }
   };
 
-  /// Numbers by hash, in open addressing; -1 where free.
+  /// Numbers by key, in open addressing; -1 where free.
   class Index {
    public:
     void clear();
-    /// Finds an entry of this hash for which is_same(number) holds; where there is none, adds `number`.
+    /// Finds an entry of this key for which is_same(number) holds; where there is none, adds `number`.
     template <typename IsSame>
-    int find_or_add(std::uint32_t hash, int number, IsSame is_same);
+    int find_or_add(std::uint64_t key, int number, IsSame is_same);
     std::size_t memory_bytes() const { return held_bytes(entries_); }
 
    private:
     struct Entry {
-      std::uint32_t hash;
+      std::uint64_t key;
       int number;
     };
     void grow();
 
     std::vector<Entry> entries_;
     std::size_t used_ = 0;
+    int shift_ = 0;  ///< from a scrambled key to a place
   };
 
   int add_curves(int count);

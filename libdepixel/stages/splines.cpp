@@ -1,7 +1,6 @@
 #include "libdepixel/stages/splines.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 
 namespace depixel {
@@ -10,39 +9,8 @@ namespace {
 /// Arcs are handled in batches of about this many entries, which stay in the first-level cache.
 constexpr int kBatchEntries = 512;
 
-glm::ivec2 to_subpixels(float x, float y) {
-  return {static_cast<int>(std::lrint(x * kSubpixels)), static_cast<int>(std::lrint(y * kSubpixels))};
-}
-
-/// The integer nearest to v / 3; thirds never lie half-way.
-constexpr int third(int v) {
-  return (v + (v >= 0 ? 1 : -1)) / 3;
-}
-
-/// The point a third of the way from a to b.
-glm::ivec2 thirds(glm::ivec2 a, glm::ivec2 b) {
-  return {third(2 * a.x + b.x), third(2 * a.y + b.y)};
-}
-
 void retract(EdgeCurve& curve, bool southwards) {
   curve.p1 = curve.p2 = southwards ? glm::i16vec2(0, kSubpixels / 2) : glm::i16vec2(kSubpixels / 2, 0);
-}
-
-/// The Bezier segment between two entries of a batch.
-EdgeCurve curve_between(const ArcBatch& batch, int from, int to, bool is_retracted) {
-  const Direction heading = batch.word[from].heading();
-  const bool southwards = heading == kNorth || heading == kSouth;
-  const glm::ivec2 step = kStep[heading] * kSubpixels;
-  const glm::ivec2 a = to_subpixels(batch.x[from], batch.y[from]);
-  const glm::ivec2 b = to_subpixels(batch.x[to], batch.y[to]) + step;
-  const glm::ivec2 start = to_subpixels(batch.knot_x[from], batch.knot_y[from]);
-  const glm::ivec2 end = to_subpixels(batch.knot_x[to], batch.knot_y[to]) + step;
-  EdgeCurve curve{start, thirds(a, b), thirds(b, a), end};
-  if (heading == kWest || heading == kNorth) {
-    curve = {end - step, thirds(b, a) - step, thirds(a, b) - step, start - step};
-  }
-  if (is_retracted || !stays_near_edge(curve, southwards)) retract(curve, southwards);
-  return curve;
 }
 
 glm::vec2 to_pixels(glm::i16vec2 subpixels) {
@@ -78,13 +46,12 @@ void SplineFitter::fit_batch(std::span<const ArcShape> shapes, Smoothing smoothi
   interpolate_nodes(batch_, interpolation_);
   if (smoothing == Smoothing::average) average_control_points(batch_, smoothing_);
   corridor_.keep_clear(batch_, retracted_);
+  curves_.compute(batch_, retracted_);
   for (const ArcBatch::Member& member : batch_.members) {
-    EdgeCurve* curve = shapes[member.source].curves;
-    for (int i = member.first; i < member.last(); ++i) {
-      *curve++ = curve_between(batch_, i, i + 1, retracted_[i] != 0);
-    }
-    if (member.closed) {
-      *curve = curve_between(batch_, member.last(), member.first, retracted_[member.last()] != 0);
+    const ArcShape& shape = shapes[member.source];
+    for (int k = 0; k < member.step_count(); ++k) {
+      shape.curves[k] = curves_.curve(member.first + k);
+      shape.tiles[k] = curves_.tiles(member.first + k);
     }
   }
   batch_.clear();

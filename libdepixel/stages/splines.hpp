@@ -7,6 +7,7 @@
 #include "libdepixel/core/memory.hpp"
 #include "libdepixel/core/options.hpp"
 #include "libdepixel/stages/arcs.hpp"
+#include "libdepixel/stages/batch_curves.hpp"
 #include "libdepixel/stages/corridor.hpp"
 #include "libdepixel/stages/edge_curve.hpp"
 #include "libdepixel/stages/interpolation.hpp"
@@ -20,6 +21,7 @@ struct ArcShape {
   std::span<const ShapeWord> words;
   ArcKind kind;
   EdgeCurve* curves;  ///< one for each step: set by fitting
+  TileMask* tiles;    ///< that the curves may touch: set by fitting
 };
 
 /// Smooths arcs and fits uniform cubic B-splines to them (stage 5 of 6). Keeps its buffers.
@@ -34,7 +36,8 @@ class SplineFitter {
 
   std::size_t memory_bytes() const {
     return held_bytes(retracted_) + placer_.memory_bytes() + batch_.memory_bytes() +
-           smoothing_.memory_bytes() + corridor_.memory_bytes() + interpolation_.memory_bytes();
+           smoothing_.memory_bytes() + corridor_.memory_bytes() + interpolation_.memory_bytes() +
+           curves_.memory_bytes();
   }
 
  private:
@@ -45,6 +48,7 @@ class SplineFitter {
   SmoothingScratch smoothing_;
   Corridor corridor_;
   InterpolationScratch interpolation_;
+  BatchCurves curves_;
   std::vector<std::uint8_t> retracted_;
 };
 
