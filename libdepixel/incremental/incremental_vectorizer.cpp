@@ -113,7 +113,8 @@ void IncrementalVectorizer::count() {
 void IncrementalVectorizer::forget(const Lattice& lattice) {
   graph_.lattice = {};
   graph_.resize(lattice);
-  frozen_links_.assign(lattice.size(), 0);
+  frozen_.lattice = {};
+  frozen_.resize(lattice);
   links_before_.assign(lattice.size(), 0);
   cells_.lattice = {};
   cells_.resize(lattice);
@@ -160,7 +161,7 @@ void IncrementalVectorizer::move_everything() {
   const Lattice& lattice = graph_.lattice;
   const GridPart pixels = GridPart::pixels(lattice), corners = GridPart::corners(lattice);
   move_entries(pixels, move_, Rgba{}, graph_.pixels, graph_.pixels);
-  move_entries(pixels, move_, std::uint8_t{0}, frozen_links_, frozen_links_);
+  move_entries(pixels, move_, std::uint8_t{0}, frozen_.links, frozen_.links);
   move_entries(pixels, move_, std::uint8_t{0}, links_before_, links_before_);
   move_entries(pixels, move_, std::uint8_t{0}, thin_, thin_);
   move_entries(pixels, move_, Rgba{}, cells_.colours, colours_before_);
@@ -184,7 +185,7 @@ void IncrementalVectorizer::relink(const FrameView& frame) {
   const Lattice& lattice = graph_.lattice;
   if (has_whole_components()) {
     build_similarity_graph(frame, options_->similarity, options_->connect_lines, graph_);
-    frozen_links_ = graph_.links;
+    frozen_.links = graph_.links;
     set_all(lattice, changed_frozen_);
     return;
   }
@@ -195,22 +196,29 @@ void IncrementalVectorizer::relink(const FrameView& frame) {
     const bool is_stale = is_all_stale_ || !changed_pixels_.is_empty(y) ||
                           (rules_.has(Rule::links_by_pixels) && !changed_pixels_.is_empty(y + 1));
     if (!is_stale) continue;
-    const std::uint8_t* row = frozen_links_.data() + lattice.pixel(0, y);
+    const std::uint8_t* row = frozen_.links.data() + lattice.pixel(0, y);
     std::copy_n(row, lattice.width(), row_before_.begin());
-    link_exact_rows(graph_, y, y + 1, frozen_links_);
+    link_exact_rows(graph_, y, y + 1, frozen_.links);
     changed_frozen_.set(y, differing_part(row, row_before_.data(), lattice.width()));
   }
 }
 
-/// Rule::crossings_by_links.
+/// Where nothing is known of links, or they reach over whole components, all crossings are resolved; else only
+/// those whose votes may have changed.
 void IncrementalVectorizer::resolve() {
   const Lattice& lattice = graph_.lattice;
   changed_links_.reset(lattice.height());
   if (!changed_frozen_.any() && !is_all_stale_) return;
-  if (!rules_.has(Rule::crossings_by_links)) return;
-  if (!has_whole_components()) graph_.links = frozen_links_;
   const CrossingVotes votes{options_->curve_weight, options_->sparse_weight, options_->island_weight};
-  stats_.crossings = resolve_crossings(graph_, votes, crossings_);
+  if (is_all_stale_ || has_whole_components()) {
+    graph_.links = frozen_.links;
+    stats_.crossings = resolve_crossings(graph_, votes, crossings_);
+  } else {
+    copy_span(lattice, changed_frozen_, frozen_.links, graph_.links);
+    const std::vector<int>& stale = stale_crossings_.find(frozen_, changed_frozen_, rules_, crossings_.neighbours);
+    resolve_some_crossings(frozen_, stale, votes, crossings_, graph_.links);
+    stats_.crossings = static_cast<int>(stale.size());
+  }
   for (int y = 0; y < lattice.height(); ++y) {
     const int first = lattice.pixel(0, y);
     const std::uint8_t *now = graph_.links.data() + first, *before = links_before_.data() + first;
@@ -398,7 +406,8 @@ const PlanarMap& IncrementalVectorizer::map() const {
 
 std::size_t IncrementalVectorizer::memory_bytes() const {
   return graph_.memory_bytes() +
-         held_bytes(frozen_links_, links_before_, colours_before_, thin_, stale_, stale_corners_,
+         frozen_.memory_bytes() + stale_crossings_.memory_bytes() +
+         held_bytes(links_before_, colours_before_, thin_, stale_, stale_corners_,
                     curves_before_, set_curves_, is_slot_set_, codes_before_, moves_, row_before_) +
          crossings_.memory_bytes() + components_.memory_bytes() + cells_.memory_bytes() +
          changed_pixels_.memory_bytes() + changed_frozen_.memory_bytes() + changed_links_.memory_bytes() +

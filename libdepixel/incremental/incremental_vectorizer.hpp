@@ -9,6 +9,7 @@
 #include "libdepixel/incremental/move_votes.hpp"
 #include "libdepixel/incremental/moved_grid.hpp"
 #include "libdepixel/incremental/rules.hpp"
+#include "libdepixel/incremental/stale_crossings.hpp"
 #include "libdepixel/pipeline/vectorizer.hpp"
 
 namespace depixel {
@@ -76,7 +77,9 @@ class IncrementalVectorizer {
   Workers workers_;
 
   SimilarityGraph graph_;
-  std::vector<std::uint8_t> frozen_links_, links_before_;
+  SimilarityGraph frozen_;  ///< its links: before crossings are resolved
+  std::vector<std::uint8_t> links_before_;
+  StaleCrossings stale_crossings_;
   CrossingScratch crossings_;
   Components components_;
   CellGraph cells_;

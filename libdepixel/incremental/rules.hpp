@@ -15,7 +15,8 @@ namespace depixel {
 /// the same.
 enum class Rule : std::uint8_t {
   links_by_pixels,       ///< a block's links before crossings are resolved: its four pixels
-  crossings_by_links,    ///< resolved links: links in 8x8 windows and along curves
+  crossings_by_windows,  ///< what is cut at a crossing: links in the 8x8 window round it
+  crossings_by_curves,   ///< what is cut at a crossing: links along the curves that cross, and at their ends
   codes_by_links,        ///< a corner's code: resolved links of its block and those to the east and south
   codes_by_colours,      ///< a corner's code, at T-junctions and borders: the colours of its four pixels
   thin_by_links,         ///< whether a pixel is thin: resolved links of the four blocks round it
@@ -27,8 +28,8 @@ enum class Rule : std::uint8_t {
   tiles_by_colours,      ///< what a tile shows: its pixel's colour
   tiles_by_side_colours  ///< what a tile shows: the colours on the sides of the curves in it
 };
-inline constexpr std::array<std::string_view, 12> kRuleNames{
-    "links_by_pixels",  "crossings_by_links", "codes_by_links",   "codes_by_colours",
+inline constexpr std::array<std::string_view, 13> kRuleNames{
+    "links_by_pixels",  "crossings_by_windows", "crossings_by_curves", "codes_by_links",   "codes_by_colours",
     "thin_by_links",    "edges_by_codes",     "curves_by_codes",  "curves_by_thin",
     "joints_by_curves", "tiles_by_curves",    "tiles_by_colours", "tiles_by_side_colours"};
 

@@ -157,24 +157,18 @@ void for_each_crossing(const SimilarityGraph& graph, Visit visit) {
   }
 }
 
-}  // namespace
-
-int resolve_crossings(SimilarityGraph& graph, const CrossingVotes& votes, CrossingScratch& scratch) {
-  const Lattice& lattice = graph.lattice;
+/// What is cut at each of the crossings in `scratch`, by votes on the frozen graph.
+void cast_votes(const SimilarityGraph& frozen, const CrossingVotes& votes, CrossingScratch& scratch) {
+  const Lattice& lattice = frozen.lattice;
   const int stride = lattice.stride();
-  scratch.crossings.clear();
-  for_each_crossing(graph, [&](int block) { scratch.crossings.push_back(block); });
-  if (scratch.crossings.empty()) return 0;
-
   scratch.curve_length.assign(lattice.size(), 0);
   scratch.cut.resize(scratch.crossings.size());
   scratch.windows.resize(kCachedWindows);
-  find_neighbours(graph, 0, lattice.height(), scratch.neighbours);
   const auto valence_of = [&](int pixel) { return valence(scratch.neighbours[pixel]); };
   CurveLengths curves(lattice, scratch.neighbours, scratch.curve_length);
   for (std::size_t c = 0; c < scratch.crossings.size(); ++c) {
     const int nw = scratch.crossings[c], ne = nw + 1, sw = nw + stride, se = sw + 1;
-    const WindowCacheEntry& sizes = component_sizes(graph, nw, scratch.windows);
+    const WindowCacheEntry& sizes = component_sizes(frozen, nw, scratch.windows);
     const int nw_valence = valence_of(nw), se_valence = valence_of(se);
     const int ne_valence = valence_of(ne), sw_valence = valence_of(sw);
     const int main_length = curves.through(nw, nw_valence, se, se_valence);
@@ -186,10 +180,31 @@ int resolve_crossings(SimilarityGraph& graph, const CrossingVotes& votes, Crossi
                             votes.island * (main_island - anti_island);
     scratch.cut[c] = for_main > 0 ? kAntiDiagonal : for_main < 0 ? kMainDiagonal : kBothDiagonals;
   }
+}
+
+}  // namespace
+
+int resolve_crossings(SimilarityGraph& graph, const CrossingVotes& votes, CrossingScratch& scratch) {
+  find_neighbours(graph, 0, graph.lattice.height(), scratch.neighbours);
+  scratch.crossings.clear();
+  for_each_crossing(graph, [&](int block) { scratch.crossings.push_back(block); });
+  if (scratch.crossings.empty()) return 0;
+  cast_votes(graph, votes, scratch);
   for (std::size_t c = 0; c < scratch.crossings.size(); ++c) {
     graph.links[scratch.crossings[c]] &= static_cast<std::uint8_t>(~scratch.cut[c]);
   }
   return static_cast<int>(scratch.crossings.size());
+}
+
+void resolve_some_crossings(const SimilarityGraph& frozen, std::span<const int> blocks, const CrossingVotes& votes,
+                            CrossingScratch& scratch, std::vector<std::uint8_t>& links) {
+  if (blocks.empty()) return;
+  scratch.crossings.assign(blocks.begin(), blocks.end());
+  cast_votes(frozen, votes, scratch);
+  for (std::size_t c = 0; c < scratch.crossings.size(); ++c) {
+    const int block = scratch.crossings[c];
+    links[block] = frozen.links[block] & static_cast<std::uint8_t>(~scratch.cut[c]);
+  }
 }
 
 }  // namespace depixel

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "libdepixel/core/memory.hpp"
@@ -28,7 +29,7 @@ struct CrossingScratch {
   std::vector<WindowCacheEntry> windows;  ///< direct-mapped
   std::vector<int> crossings;             ///< blocks whose diagonals cross
   std::vector<std::uint8_t> cut;          ///< BlockLink mask to remove, one for each crossing
-  std::vector<std::uint8_t> neighbours;   ///< by find_neighbours()
+  std::vector<std::uint8_t> neighbours;   ///< by find_neighbours(), of the frozen graph
   std::vector<int> curve_length;  ///< padded; of the curve through a valence-2 node, 0 where not known yet
 
   std::size_t memory_bytes() const { return held_bytes(windows, crossings, cut, neighbours, curve_length); }
@@ -42,5 +43,12 @@ struct CrossingScratch {
 /// bit operations on 64 pixels at a time. Source: Kopf and Lischinski 2011, section 3.2; Schapfel,
 /// section 4.2.
 int resolve_crossings(SimilarityGraph& graph, const CrossingVotes& votes, CrossingScratch& scratch);
+
+/// Resolves just some of the crossings of a frozen graph.
+/// \param blocks   crossings, each once.
+/// \param scratch  neighbours must be those of the frozen graph.
+/// \param links    padded; set for these blocks only.
+void resolve_some_crossings(const SimilarityGraph& frozen, std::span<const int> blocks, const CrossingVotes& votes,
+                            CrossingScratch& scratch, std::vector<std::uint8_t>& links);
 
 }  // namespace depixel
