@@ -73,7 +73,8 @@ int take_changed_pixels(const FrameView& frame, const RowSpans& changed, Similar
   int count = 0;
   for (int y = 0; y < frame.height; ++y) {
     if (changed.is_empty(y)) continue;
-    count += take_over(frame.pixels + y * frame.pitch, graph.pixels.data() + graph.lattice.pixel(0, y), changed[y]);
+    count += take_over(frame.pixels + y * frame.pitch, graph.pixels.data() + graph.lattice.pixel(0, y),
+                       changed[y]);
   }
   return count;
 }

@@ -10,8 +10,8 @@ namespace {
 /// Curves that the table holds at most, for each pixel of the frame, before it is made anew.
 constexpr std::size_t kCurvesAPixel = 3, kFewestCurves = std::size_t{1} << 15;
 
-/// Where more than this part of the tiles is new, all are taken to be: looking for the others costs more than it
-/// saves.
+/// Where more than this part of the tiles is new, all are taken to be: looking for the others costs more than
+/// it saves.
 constexpr double kMostNew = 0.6;
 
 /// The options that vectorizing depends on; others are set to a common value.
@@ -105,7 +105,7 @@ void IncrementalVectorizer::count() {
   stats_.pixels = lattice.width() * lattice.height();
   stats_.changed_tiles = changes_.everything ? stats_.pixels : changes_.new_tiles;
   stats_.moved_tiles = changes_.everything ? 0 : changes_.moved_tiles;
-  
+
   stats_.memory_bytes = memory_bytes();
 }
 
@@ -153,10 +153,10 @@ void IncrementalVectorizer::forget_set_curves() {
   set_curves_.clear();
 }
 
-/// Everything that is known is moved as most of the frame has. What is of this frame becomes that of the frame
-/// before, and what is moved is this frame's until it changes. Rule::uncovered_by_moves: nothing is known of what
-/// a move uncovers. All rows are stale then, and every contour that passes a place where what is known is not
-/// what it should be is traced again, as its codes there differ.
+/// Everything that is known is moved as most of the frame has. What is of this frame becomes that of the
+/// frame before, and what is moved is this frame's until it changes. Rule::uncovered_by_moves: nothing is
+/// known of what a move uncovers. All rows are stale then, and every contour that passes a place where what
+/// is known is not what it should be is traced again, as its codes there differ.
 void IncrementalVectorizer::move_everything() {
   const Lattice& lattice = graph_.lattice;
   const GridPart pixels = GridPart::pixels(lattice), corners = GridPart::corners(lattice);
@@ -203,8 +203,8 @@ void IncrementalVectorizer::relink(const FrameView& frame) {
   }
 }
 
-/// Where nothing is known of links, or they reach over whole components, all crossings are resolved; else only
-/// those whose votes may have changed.
+/// Where nothing is known of links, or they reach over whole components, all crossings are resolved; else
+/// only those whose votes may have changed.
 void IncrementalVectorizer::resolve() {
   const Lattice& lattice = graph_.lattice;
   changed_links_.reset(lattice.height());
@@ -215,7 +215,8 @@ void IncrementalVectorizer::resolve() {
     stats_.crossings = resolve_crossings(graph_, votes, crossings_);
   } else {
     copy_span(lattice, changed_frozen_, frozen_.links, graph_.links);
-    const std::vector<int>& stale = stale_crossings_.find(frozen_, changed_frozen_, rules_, crossings_.neighbours);
+    const std::vector<int>& stale =
+        stale_crossings_.find(frozen_, changed_frozen_, rules_, crossings_.neighbours);
     resolve_some_crossings(frozen_, stale, votes, crossings_, graph_.links);
     stats_.crossings = static_cast<int>(stale.size());
   }
@@ -250,14 +251,15 @@ void IncrementalVectorizer::recolour() {
   }
 }
 
-/// Encodes a row of corners and finds those whose code differs.
-void IncrementalVectorizer::encode_row(int y) {
+/// Encodes a part of a row of corners and finds those whose code differs.
+void IncrementalVectorizer::encode_part(int y, Span part) {
   const Lattice& lattice = graph_.lattice;
   static_assert(sizeof(CornerCode) == 1);
   const int first = lattice.corner(0, y), count = lattice.width() + 1;
   const auto* codes = reinterpret_cast<const std::uint8_t*>(cells_.corners.data()) + first;
   std::copy_n(codes, count, row_before_.begin());
-  encode_corners(graph_, has_whole_components() ? &components_ : nullptr, y, y + 1, cells_);
+  encode_corners(graph_, has_whole_components() ? &components_ : nullptr, y, part.from,
+                 std::min(part.to, count), cells_);
   const Span span = differing_part(codes, row_before_.data(), count);
   for (int x = span.from; x < span.to; ++x) {
     if (codes[x] != row_before_[x]) stale_.push_back({first + x, CornerCode(row_before_[x])});
@@ -267,16 +269,19 @@ void IncrementalVectorizer::encode_row(int y) {
 /// Rule::codes_by_links and Rule::codes_by_colours.
 void IncrementalVectorizer::encode() {
   const Lattice& lattice = graph_.lattice;
+  const bool is_everything = is_all_stale_ || has_whole_components();
   stale_.clear();
   row_before_.resize(lattice.width() + 1);
   for (int y = 0; y <= lattice.height(); ++y) {
-    // The row's blocks have their north-west pixels in row y - 1.
-    const bool by_links = !changed_links_.is_empty(y - 1) || !changed_links_.is_empty(y);
-    const bool by_colours = !changed_colours_.is_empty(y - 1) || !changed_colours_.is_empty(y);
-    if ((by_links && rules_.has(Rule::codes_by_links)) ||
-        (by_colours && rules_.has(Rule::codes_by_colours)) || has_whole_components() || is_all_stale_) {
-      encode_row(y);
-    }
+    // The row's blocks have their north-west pixels in row y - 1; what changed in a column of blocks, or of
+    // pixels, concerns the corners on either side.
+    const auto changed = [&](const RowSpans& spans, Rule rule) {
+      return rules_.has(rule) ? united({spans.at(y - 1), spans.at(y), Span{}}) : Span{};
+    };
+    Span part = united({changed(changed_links_, Rule::codes_by_links),
+                        changed(changed_colours_, Rule::codes_by_colours), Span{}});
+    if (is_everything) part = {0, lattice.width()};
+    if (!part.is_empty()) encode_part(y, {part.from, part.to + 1});
   }
 }
 
@@ -405,15 +410,14 @@ const PlanarMap& IncrementalVectorizer::map() const {
 }
 
 std::size_t IncrementalVectorizer::memory_bytes() const {
-  return graph_.memory_bytes() +
-         frozen_.memory_bytes() + stale_crossings_.memory_bytes() +
-         held_bytes(links_before_, colours_before_, thin_, stale_, stale_corners_,
-                    curves_before_, set_curves_, is_slot_set_, codes_before_, moves_, row_before_) +
+  return graph_.memory_bytes() + frozen_.memory_bytes() + stale_crossings_.memory_bytes() +
+         held_bytes(links_before_, colours_before_, thin_, stale_, stale_corners_, curves_before_,
+                    set_curves_, is_slot_set_, codes_before_, moves_, row_before_) +
          crossings_.memory_bytes() + components_.memory_bytes() + cells_.memory_bytes() +
          changed_pixels_.memory_bytes() + changed_frozen_.memory_bytes() + changed_links_.memory_bytes() +
          changed_colours_.memory_bytes() + contours_.memory_bytes() + arcs_.memory_bytes() +
-         votes_.memory_bytes() + guess_.memory_bytes() + table_.memory_bytes() + edges_.memory_bytes() + comparison_.memory_bytes() +
-         changes_.memory_bytes() + map_.memory_bytes();
+         votes_.memory_bytes() + guess_.memory_bytes() + table_.memory_bytes() + edges_.memory_bytes() +
+         comparison_.memory_bytes() + changes_.memory_bytes() + map_.memory_bytes();
 }
 
 }  // namespace depixel

@@ -59,7 +59,7 @@ class IncrementalVectorizer {
   void relink(const FrameView& frame);
   void resolve();
   void recolour();
-  void encode_row(int y);
+  void encode_part(int y, Span part);
   void encode();
   void find_thin();
   void remove_edges();
@@ -100,7 +100,7 @@ class IncrementalVectorizer {
   std::vector<SetCurve> set_curves_;       ///< set in this frame
   std::vector<std::uint8_t> is_slot_set_;  ///< by slot
   std::vector<CornerCode> codes_before_;   ///< read where the frame moved
-  bool is_before_settled_ = false;         ///< what is called before is as it is now, but for what was set since
+  bool is_before_settled_ = false;  ///< what is called before is as it is now, but for what was set since
 
   MoveGuess guess_;
   glm::ivec2 move_{0};         ///< of all that was known, before anything else was done for this frame

@@ -163,7 +163,8 @@ void MapComparison::keep_flat(const MapPair& maps, std::vector<std::uint8_t>& ti
   const auto load = [](const auto& values, int i) { return load_vector<Byte16>(values.data() + i); };
   const auto occupied = [&](const std::vector<CornerCode>& codes, int pixel) {
     const int north_west = pixel - stride - 1;
-    return load(codes, north_west) | load(codes, north_west + 1) | load(codes, pixel - 1) | load(codes, pixel);
+    return load(codes, north_west) | load(codes, north_west + 1) | load(codes, pixel - 1) |
+           load(codes, pixel);
   };
   for (int y = 0; y < lattice.height(); ++y) {
     const int first = lattice.pixel(0, y);
@@ -217,7 +218,8 @@ void MapComparison::compare_moved(const MapPair& maps, glm::ivec2 move) {
   // Tiles that have one before: west .. east - 1, north .. south - 1.
   const int west = std::max(0, move.x), east = std::min(lattice.width(), lattice.width() + move.x);
   const int north = std::max(0, move.y), south = std::min(lattice.height(), lattice.height() + move.y);
-  // Curves touch them from one corner farther on: in one of the maps that may lie in the padding, without any.
+  // Curves touch them from one corner farther on: in one of the maps that may lie in the padding, without
+  // any.
   for (int y = north - 1; y <= south + 1; ++y) {
     const Span span = united(new_.around(y));
     const int from = std::max(span.from, west) - 1, to = std::min(span.to, east) + 1;
@@ -266,7 +268,7 @@ void MapComparison::take_moved(const Lattice& lattice, glm::ivec2 move, MapChang
 void MapComparison::find_moved(const MapPair& maps, std::span<const SetCurve> set,
                                std::span<const glm::ivec2> moves, MapChanges& changes) {
   const Lattice& lattice = maps.lattice;
-  
+
   for (const glm::ivec2 move : moves) {
     if (changes.new_tiles * kLeastPart <= lattice.width() * lattice.height()) return;
     // Farther ones bring nothing, and those that were tried bring no more.

@@ -14,13 +14,13 @@ namespace depixel {
 struct MapPair {
   const Lattice& lattice;
   const SplineTable& table;
-  const std::vector<int>&curve, &curve_before;          ///< by edge_slot()
+  const std::vector<int>&curve, &curve_before;         ///< by edge_slot()
   const std::vector<CornerCode>&codes, &codes_before;  ///< padded, by corner; read where the map moved
   const std::vector<Rgba>&colours, &colours_before;    ///< padded, by pixel
 };
 
-/// An edge that was given a curve, and the number of the one that it had; 0 stands for none. Equal curves have
-/// equal numbers here.
+/// An edge that was given a curve, and the number of the one that it had; 0 stands for none. Equal curves
+/// have equal numbers here.
 struct SetCurve {
   int slot, before;
 };
@@ -35,12 +35,10 @@ class MapComparison {
   void find_new(const MapPair& maps, glm::ivec2 move, std::span<const SetCurve> set, const RowSpans& colours,
                 RuleSet rules, MapChanges& changes);
 
-  /// Finds which of the new tiles are what they were (the move by nothing), and which were elsewhere in the map
-  /// before: all that lies in them was. So a move need not be right, or the only one: what it does not explain
-  /// stays new.
-  /// \param set    as in find_new().
-  /// \param moves  to be tried, in source pixels; the first ones first.
-  /// Cost: linear in corners for each move, a few operations on 16 bytes for what agrees.
+  /// Finds which of the new tiles are what they were (the move by nothing), and which were elsewhere in the
+  /// map before: all that lies in them was. So a move need not be right, or the only one: what it does not
+  /// explain stays new. \param set    as in find_new(). \param moves  to be tried, in source pixels; the
+  /// first ones first. Cost: linear in corners for each move, a few operations on 16 bytes for what agrees.
   void find_moved(const MapPair& maps, std::span<const SetCurve> set, std::span<const glm::ivec2> moves,
                   MapChanges& changes);
 

@@ -20,7 +20,8 @@ constexpr int kFarthest = 12;
 
 Word4 frame_pixels(const FrameView& frame, glm::ivec2 at) {
   constexpr auto kAlpha = std::bit_cast<std::uint32_t>(Rgba{0, 0, 0, 255});
-  const auto four = load_vector<Word4>(frame.pixels + at.y * frame.pitch + std::ptrdiff_t{sizeof(Rgba)} * at.x);
+  const auto four =
+      load_vector<Word4>(frame.pixels + at.y * frame.pitch + std::ptrdiff_t{sizeof(Rgba)} * at.x);
   const Word4 visible = (four & kAlpha) != 0;
   return four & visible;
 }
@@ -55,7 +56,8 @@ int MoveGuess::take_samples(const FrameView& frame, const SimilarityGraph& befor
   for (int i = 0; i < kMostSamples; ++i) {
     // Multiples of the golden ratio are spread evenly, in whatever rows the frame is cut.
     const auto at = static_cast<int>(static_cast<std::uint32_t>(i) * 0x9e3779b1ULL % 0x100000000ULL *
-                                     static_cast<std::uint64_t>(pixels) >> 32);
+                                         static_cast<std::uint64_t>(pixels) >>
+                                     32);
     samples_.emplace_back(std::min(at % frame.width, frame.width - kSamplePixels), at / frame.width);
     changed += agrees(frame, before, samples_.back(), glm::ivec2(0)) ? 0 : 1;
   }
@@ -64,7 +66,8 @@ int MoveGuess::take_samples(const FrameView& frame, const SimilarityGraph& befor
 
 /// How many samples a move leaves unexplained; those that come from outside count as halves, as they may be
 /// anything.
-int MoveGuess::count_unexplained(const FrameView& frame, const SimilarityGraph& before, glm::ivec2 move) const {
+int MoveGuess::count_unexplained(const FrameView& frame, const SimilarityGraph& before,
+                                 glm::ivec2 move) const {
   int twice = 0;
   for (const glm::ivec2 at : samples_) {
     const glm::ivec2 from = at - move;

@@ -9,9 +9,9 @@
 
 namespace depixel {
 
-/// Guesses how most of a frame moved since the frame before: as frames moved lately, or by a few pixels along an
-/// axis, if samples agree that less changes by the move than without. A wrong guess costs time and changes no
-/// result.
+/// Guesses how most of a frame moved since the frame before: as frames moved lately, or by a few pixels along
+/// an axis, if samples agree that less changes by the move than without. A wrong guess costs time and changes
+/// no result.
 class MoveGuess {
  public:
   void clear() { recent_.clear(); }

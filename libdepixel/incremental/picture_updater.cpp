@@ -117,7 +117,8 @@ void PictureUpdater::find_windows(const IncrementalVectorizer& source, const Out
   }
   // East of this, what lies at the target's side is cut off.
   int east_end = width;
-  while (grid.column(east_end) > (grid.target.width - (east_end < width ? 1 : 0)) * kRasterSubpixels) --east_end;
+  while (grid.column(east_end) > (grid.target.width - (east_end < width ? 1 : 0)) * kRasterSubpixels)
+    --east_end;
   const std::uint8_t* occupied = scratch.occupied.data();
   const auto is_clear = [&](int x) { return (occupied[x] | occupied[x + 1]) == 0; };
   for (Window& window : scratch.windows) {
@@ -130,8 +131,9 @@ void PictureUpdater::find_windows(const IncrementalVectorizer& source, const Out
 }
 
 template <typename Model>
-void PictureUpdater::draw_window(const IncrementalVectorizer& source, const OutputGrid& grid, const Strip& strip,
-                                 const Window& window, BandSums<Model>& sums, Scratch& scratch) const {
+void PictureUpdater::draw_window(const IncrementalVectorizer& source, const OutputGrid& grid,
+                                 const Strip& strip, const Window& window, BandSums<Model>& sums,
+                                 Scratch& scratch) const {
   const Lattice& lattice = grid.lattice;
   const std::vector<Rgba>& colours = source.colours();
   const bool is_clear_west = window.clear < window.from;
@@ -140,7 +142,8 @@ void PictureUpdater::draw_window(const IncrementalVectorizer& source, const Outp
   const int end = is_clear_west ? window.to : window.clear;
   const int reach = is_clear_west ? window.to + kBeyondWindow : end;
   int left_px = floor_px(grid.column(std::max(window.from - kBeyondWindow, 0)));
-  if (is_clear_west) left_px = window.clear < 0 ? floor_px(grid.column(0)) : ceil_px(grid.column(window.clear));
+  if (is_clear_west)
+    left_px = window.clear < 0 ? floor_px(grid.column(0)) : ceil_px(grid.column(window.clear));
   left_px = std::max(left_px, 0);
   const int from_px = std::max(floor_px(grid.column(window.from)), left_px);
   const int to_px = std::min(ceil_px(grid.column(window.to)), grid.target.width);
@@ -177,14 +180,16 @@ void PictureUpdater::draw_window(const IncrementalVectorizer& source, const Outp
     const int y0 = grid.row(y), y1 = grid.row(y + 1);
     if (has_west) sums.add_line(west, y0, west, y1, Model::change(Rgba{}, colours[lattice.pixel(0, y)]));
     if (has_east) {
-      sums.add_line(east, y0, east, y1, Model::change(colours[lattice.pixel(lattice.width() - 1, y)], Rgba{}));
+      sums.add_line(east, y0, east, y1,
+                    Model::change(colours[lattice.pixel(lattice.width() - 1, y)], Rgba{}));
     }
   }
   const int north = grid.row(0), south = grid.row(lattice.height());
   const bool is_border = window.clear < 0 || window.clear == lattice.width();
   const Rgba clear_colour = is_border ? Rgba{} : colours[lattice.pixel(window.clear, strip.first)];
   for (int row = strip.first_px; row < strip.end_px; ++row) {
-    const int covered = std::min((row + 1) * kRasterSubpixels, south) - std::max(row * kRasterSubpixels, north);
+    const int covered =
+        std::min((row + 1) * kRasterSubpixels, south) - std::max(row * kRasterSubpixels, north);
     typename Model::Sums before =
         Model::times(Model::change(Rgba{}, clear_colour), 2 * kRasterSubpixels * std::max(covered, 0));
     if (!is_clear_west) before -= sums.total(row - strip.first_px);

@@ -42,13 +42,8 @@ class RowSpans {
     return std::any_of(spans_.begin(), spans_.end(), [](Span span) { return !span.is_empty(); });
   }
   /// Those of a row and of its neighbours; rows outside the picture are empty.
-  std::array<Span, 3> around(int row) const {
-    std::array<Span, 3> spans;
-    for (int k = -1; k <= 1; ++k) {
-      if (!is_empty(row + k)) spans[k + 1] = spans_[row + k];
-    }
-    return spans;
-  }
+  std::array<Span, 3> around(int row) const { return {at(row - 1), at(row), at(row + 1)}; }
+  Span at(int row) const { return is_empty(row) ? Span{} : spans_[row]; }
   int rows() const { return static_cast<int>(spans_.size()); }
   std::size_t memory_bytes() const { return held_bytes(spans_); }
 

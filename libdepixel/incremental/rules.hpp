@@ -29,9 +29,9 @@ enum class Rule : std::uint8_t {
   tiles_by_side_colours  ///< what a tile shows: the colours on the sides of the curves in it
 };
 inline constexpr std::array<std::string_view, 13> kRuleNames{
-    "links_by_pixels",  "crossings_by_windows", "crossings_by_curves", "codes_by_links",   "codes_by_colours",
-    "thin_by_links",    "edges_by_codes",     "curves_by_codes",  "curves_by_thin",
-    "joints_by_curves", "tiles_by_curves",    "tiles_by_colours", "tiles_by_side_colours"};
+    "links_by_pixels", "crossings_by_windows", "crossings_by_curves",  "codes_by_links", "codes_by_colours",
+    "thin_by_links",   "edges_by_codes",       "curves_by_codes",      "curves_by_thin", "joints_by_curves",
+    "tiles_by_curves", "tiles_by_colours",     "tiles_by_side_colours"};
 
 /// The rules that are obeyed. All of them, but in tests that show what goes wrong without one.
 class RuleSet {

@@ -32,8 +32,8 @@ int diagonal_block(int pixel, int neighbour, int stride) {
 
 }  // namespace
 
-const std::vector<int>& StaleCrossings::find(const SimilarityGraph& frozen, const RowSpans& changed, RuleSet rules,
-                                             std::vector<std::uint8_t>& neighbours) {
+const std::vector<int>& StaleCrossings::find(const SimilarityGraph& frozen, const RowSpans& changed,
+                                             RuleSet rules, std::vector<std::uint8_t>& neighbours) {
   const Lattice& lattice = frozen.lattice;
   for (const int block : stale_) is_stale_[block] = 0;
   for (const int pixel : visited_) is_visited_[pixel] = 0;
@@ -69,7 +69,8 @@ void StaleCrossings::find_by_windows(const SimilarityGraph& frozen, const RowSpa
       if (!changed.is_empty(other)) reached = united({reached, changed[other], Span{}});
     }
     if (reached.is_empty()) continue;
-    const int from = std::max(0, reached.from - kBehind), to = std::min(lattice.width(), reached.to + kBefore);
+    const int from = std::max(0, reached.from - kBehind),
+              to = std::min(lattice.width(), reached.to + kBefore);
     const std::uint8_t* row = frozen.links.data() + lattice.pixel(0, y);
     for (int x = from; x < to; ++x) {
       if ((row[x] & kBothDiagonals) == kBothDiagonals) add(frozen, lattice.pixel(x, y));
@@ -91,8 +92,8 @@ void StaleCrossings::renew_row(const SimilarityGraph& frozen, int y, bool follow
   }
 }
 
-/// Follows the curves on from a pixel, in every direction, to their ends. What was part of a curve with the pixel
-/// before is still linked to it, or to another pixel whose links changed.
+/// Follows the curves on from a pixel, in every direction, to their ends. What was part of a curve with the
+/// pixel before is still linked to it, or to another pixel whose links changed.
 void StaleCrossings::follow_curves(const SimilarityGraph& frozen, int pixel,
                                    const std::vector<std::uint8_t>& neighbours) {
   const int stride = frozen.lattice.stride();

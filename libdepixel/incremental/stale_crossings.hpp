@@ -15,9 +15,10 @@ class StaleCrossings {
   /// \param frozen      the frozen graph.
   /// \param changed     where its links differ from what they were, by block.
   /// \param neighbours  by find_neighbours(), of the graph as it was; brought up to date.
-  /// \return the crossings with a changed link in their 8x8 window (Rule::crossings_by_windows), and those on a
-  ///         curve that ran, or runs, by a pixel whose links changed (Rule::crossings_by_curves); each once. Valid
-  ///         until the next call.
+  /// \return the crossings with a changed link in their 8x8 window (Rule::crossings_by_windows), and those on
+  /// a
+  ///         curve that ran, or runs, by a pixel whose links changed (Rule::crossings_by_curves); each once.
+  ///         Valid until the next call.
   const std::vector<int>& find(const SimilarityGraph& frozen, const RowSpans& changed, RuleSet rules,
                                std::vector<std::uint8_t>& neighbours);
 

@@ -16,8 +16,6 @@ using BandSumsOfModels =
     std::tuple<std::vector<BandSums<OpaqueColour>>, std::vector<BandSums<OpaqueLight>>,
                std::vector<BandSums<Translucent<false>>>, std::vector<BandSums<Translucent<true>>>>;
 
-
-
 /// Draws planar maps with exact box-filter anti-aliasing. Sums are integers, so the result is bit-identical
 /// whatever the order of work, the number of threads and the compiler. Keeps its buffers from call to call.
 class CpuRaster {

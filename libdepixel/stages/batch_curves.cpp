@@ -63,7 +63,8 @@ DEPIXEL_VECTOR_CLONES void compute_curves(const Input& in, int from, int to,
     Points x = points_along(in.x, in.knot_x, in.step_x, is_back, i);
     Points y = points_along(in.y, in.knot_y, in.step_y, is_back, i);
     const Float8 length_x = kSubpixels * abs8(step_x), length_y = kSubpixels * abs8(step_y);
-    const Int8 is_retracted = (load8(in.retracted + i) != 0) | ~(stays_near(x, length_x) & stays_near(y, length_y));
+    const Int8 is_retracted =
+        (load8(in.retracted + i) != 0) | ~(stays_near(x, length_x) & stays_near(y, length_y));
     x.p1 = is_retracted ? 0.5f * length_x : x.p1;
     x.p2 = is_retracted ? 0.5f * length_x : x.p2;
     y.p1 = is_retracted ? 0.5f * length_y : y.p1;
@@ -91,8 +92,8 @@ void BatchCurves::compute(const ArcBatch& batch, const std::vector<std::uint8_t>
                  [](std::uint8_t v) { return v != 0 ? 1.0f : 0.0f; });
   std::array<std::int32_t*, 8> points;
   std::transform(points_.begin(), points_.end(), points.begin(), [](auto& values) { return values.data(); });
-  compute_curves({batch.x.data(), batch.y.data(), batch.knot_x.data(), batch.knot_y.data(), batch.step_x.data(),
-                  batch.step_y.data(), retracted_.data()},
+  compute_curves({batch.x.data(), batch.y.data(), batch.knot_x.data(), batch.knot_y.data(),
+                  batch.step_x.data(), batch.step_y.data(), retracted_.data()},
                  ArcBatch::kGhosts, batch.size - ArcBatch::kGhosts, points, tiles_.data());
 }
 

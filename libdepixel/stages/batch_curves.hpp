@@ -12,14 +12,16 @@ namespace depixel {
 
 /// The Bezier segments of a batch's splines, for eight steps at a time; keeps its buffers.
 ///
-/// A segment of a uniform cubic B-spline has its inner points at a third and two thirds of the way from one control
-/// point to the next. All points are whole subpixels, rounded so that a curve is the same from either end.
+/// A segment of a uniform cubic B-spline has its inner points at a third and two thirds of the way from one
+/// control point to the next. All points are whole subpixels, rounded so that a curve is the same from either
+/// end.
 class BatchCurves {
  public:
   /// \param batch      x, y hold control points, knot_x, knot_y the knots, ghosts of closed members included.
-  /// \param retracted  by entry: 1 where both inner points go to the middle of the lattice edge, the point that is
-  ///                   farthest from the pixel centres on its sides. So they do where the curve would not stay near
-  ///                   its edge (see stays_near_edge()).
+  /// \param retracted  by entry: 1 where both inner points go to the middle of the lattice edge, the point
+  /// that is
+  ///                   farthest from the pixel centres on its sides. So they do where the curve would not
+  ///                   stay near its edge (see stays_near_edge()).
   void compute(const ArcBatch& batch, const std::vector<std::uint8_t>& retracted);
 
   /// The curve of the step that leaves an entry.
@@ -33,7 +35,8 @@ class BatchCurves {
   std::size_t memory_bytes() const;
 
  private:
-  std::array<std::vector<std::int32_t>, 8> points_;  ///< x of p0 .. p3, then y, subpixels from the edge's owner
+  std::array<std::vector<std::int32_t>, 8>
+      points_;  ///< x of p0 .. p3, then y, subpixels from the edge's owner
   std::vector<std::int32_t> tiles_;
   std::vector<float> retracted_;
 };

@@ -36,26 +36,21 @@ class CornerEncoder {
   CornerEncoder(const SimilarityGraph& graph, const Components* components, CellGraph& cells)
       : graph_(graph), components_(components), cells_(cells), left_(graph.lattice.left_offsets()) {}
 
-  /// Rows of corners from `first` to before `end`, of 0 .. height.
-  void encode_rows(int first, int end) {
+  /// Corners from .. to - 1, of 0 .. width, of a row of corners; maybe some more.
+  void encode_row(int y, int from, int to) {
     const Lattice& lattice = graph_.lattice;
-    for (int y = first; y < end; ++y) {
-      if (y == 0 || y == lattice.height()) {
-        for (int x = 1; x < lattice.width(); ++x) encode_border(x, y, y == 0 ? kSouth : kNorth);
-        for (const int x : {0, lattice.width()}) cells_.corners[lattice.corner(x, y)] = CornerCode{};
-        continue;
-      }
-      const int row = lattice.corner(1, y), count = lattice.width() - 1;
-      if (components_ == nullptr) {
-        encode_exact_row(row, count);
-        pair_t_junctions_of_row(row, count);
-      } else {
-        encode_row(row, count);
-        for (int i = row; i < row + count; ++i) pair_edges(i);
-      }
-      encode_border(0, y, kEast);
-      encode_border(lattice.width(), y, kWest);
+    const int width = lattice.width();
+    const bool is_border = y == 0 || y == lattice.height();
+    if (from == 0) is_border ? clear(0, y) : encode_border(0, y, kEast);
+    const int first = std::max(from, 1), end = std::min(to, width);
+    if (is_border) {
+      for (int x = first; x < end; ++x) encode_border(x, y, y == 0 ? kSouth : kNorth);
+    } else if (components_ != nullptr) {
+      encode_merged(lattice.corner(first, y), end - first);
+    } else if (first < end) {
+      to = std::max(to, encode_exact(lattice.corner(first, y), end - first, width - first));
     }
+    if (to >= width) is_border ? clear(width, y) : encode_border(width, y, kWest);
   }
 
  private:
@@ -66,9 +61,13 @@ class CornerEncoder {
                                      ((links & kAntiDiagonal) != 0) * kAntiBits);
   }
 
-  /// With exact similarity an edge is visible where the link across it is missing. Sixteen corners at a time;
-  /// may write into the padding, which is cleared again.
-  void encode_exact_row(int first, int count) {
+  void clear(int x, int y) { cells_.corners[graph_.lattice.corner(x, y)] = CornerCode{}; }
+
+  /// With exact similarity an edge is visible where the link across it is missing. Sixteen corners at a time,
+  /// so some more may be encoded; of what lies beyond the row, the first ones are cleared. \param room
+  /// corners from the first one to the row's end. \return the column behind the last corner that was written,
+  /// counted from the frame's border.
+  int encode_exact(int first, int count, int room) {
     const std::uint8_t* here = graph_.links.data() + first;
     const std::uint8_t* below = here + graph_.lattice.stride();
     CornerCode* out = cells_.corners.data() + first;
@@ -85,23 +84,29 @@ class CornerEncoder {
       const Byte16 code = visible | (main << 2) | (main << 4) | (anti << 2) | (anti << 3);
       store_vector(out + x, code & reinterpret_cast<Byte16>(visible != 0));
     }
-    std::fill_n(out + count, sizeof(Byte16) - 1, CornerCode{});
+    constexpr int kAtOnce = sizeof(Byte16);
+    const int written = (count + kAtOnce - 1) / kAtOnce * kAtOnce;
+    if (written > room) std::fill_n(out + room, written - room, CornerCode{});
+    pair_t_junctions(first, std::min(written, room));
+    return graph_.lattice.corner_position(first).x + written;
   }
 
-  void encode_row(int first, int count) {
+  void encode_merged(int first, int count) {
     for (int i = first; i < first + count; ++i) {
       int visible = 0;
       for (const Direction d : kDirections) visible |= differ(i + left_[d], i + left_[turned(d, 1)]) << d;
       cells_.corners[i] =
           CornerCode(static_cast<std::uint8_t>(visible == 0 ? 0 : visible | pairing_bits(graph_.links[i])));
+      pair_edges(i);
     }
   }
 
   /// With exact similarity, all corners that are not cut have their edges paired but T-junctions: those where
   /// one edge is invisible. Looks at sixteen at a glance.
-  void pair_t_junctions_of_row(int first, int count) {
+  void pair_t_junctions(int first, int count) {
     const CornerCode* codes = cells_.corners.data() + first;
-    for (int x = 0; x < count; x += static_cast<int>(sizeof(Byte16))) {  // what lies beyond the row is 0
+    for (int x = 0; x < count;
+         x += static_cast<int>(sizeof(Byte16))) {  // what lies beyond the row is no such
       const Byte16 invisible = ~load_vector<Byte16>(codes + x) & 15;
       const auto is_one = (invisible != 0) & ((invisible & (invisible - 1)) == 0);
       for (std::uint32_t bits = gather_bits(reinterpret_cast<Byte16>(is_one), 0); bits != 0;
@@ -166,15 +171,17 @@ void paint_cells(const SimilarityGraph& graph, const Components* components, Cel
   }
 }
 
-void encode_corners(const SimilarityGraph& graph, const Components* components, int first_row, int end_row,
+void encode_corners(const SimilarityGraph& graph, const Components* components, int y, int from, int to,
                     CellGraph& cells) {
-  CornerEncoder(graph, components, cells).encode_rows(first_row, end_row);
+  CornerEncoder(graph, components, cells).encode_row(y, from, to);
 }
 
 void build_cell_graph(const SimilarityGraph& graph, const Components* components, CellGraph& cells) {
   cells.resize(graph.lattice);
   paint_cells(graph, components, cells);
-  encode_corners(graph, components, 0, graph.lattice.height() + 1, cells);
+  CornerEncoder encoder(graph, components, cells);
+  const Lattice& lattice = graph.lattice;
+  for (int y = 0; y <= lattice.height(); ++y) encoder.encode_row(y, 0, lattice.width() + 1);
 }
 
 }  // namespace depixel

@@ -86,11 +86,12 @@ struct CellGraph {
 /// Source: Schapfel, sections 4.3 and 4.4; Kopf and Lischinski 2011, section 3.3.
 void build_cell_graph(const SimilarityGraph& graph, const Components* components, CellGraph& cells);
 
-/// The two parts of it: the colours of all cells, and the codes of some rows of corners, first_row to before
-/// end_row, of 0 .. height. A corner's code depends on the resolved links of its block and of the blocks to
-/// its east and south, and on the colours of its four pixels (or their components).
+/// The two parts of it: the colours of all cells; and the codes of some corners of a row of corners y, of 0
+/// .. height: from .. to - 1, of 0 .. width, and maybe of some more. A corner's code depends on the resolved
+/// links of its block and of the blocks to its east and south, and on the colours of its four pixels (or
+/// their components).
 void paint_cells(const SimilarityGraph& graph, const Components* components, CellGraph& cells);
-void encode_corners(const SimilarityGraph& graph, const Components* components, int first_row, int end_row,
+void encode_corners(const SimilarityGraph& graph, const Components* components, int y, int from, int to,
                     CellGraph& cells);
 
 }  // namespace depixel

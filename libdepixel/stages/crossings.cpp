@@ -26,8 +26,20 @@ constexpr std::uint8_t reversed(int neighbour) {
 /// Lengths, in links, of the paths that run through nodes of valence 2.
 class CurveLengths {
  public:
-  CurveLengths(const Lattice& lattice, const std::vector<std::uint8_t>& neighbours, std::vector<int>& length)
-      : neighbours_(neighbours), offsets_(neighbour_offsets(lattice)), length_(length) {}
+  CurveLengths(const Lattice& lattice, CrossingScratch& scratch)
+      : neighbours_(scratch.neighbours),
+        offsets_(neighbour_offsets(lattice)),
+        length_(scratch.curve_length),
+        measured_(scratch.measured) {
+    if (static_cast<int>(length_.size()) != lattice.size()) length_.assign(lattice.size(), 0);
+    measured_.clear();
+  }
+  CurveLengths(const CurveLengths&) = delete;
+  CurveLengths& operator=(const CurveLengths&) = delete;
+  /// Forgets all lengths.
+  ~CurveLengths() {
+    for (const int node : measured_) length_[node] = 0;
+  }
 
   /// Length of the curve through the link between two pixels, given their valences; 1 when neither is 2.
   int through(int p, int valence_p, int q, int valence_q) {
@@ -46,7 +58,7 @@ class CurveLengths {
     if (!closed) total += walk(node, backward, 0);
     walk(node, forward, total);
     if (!closed) walk(node, backward, total);
-    length_[node] = total;
+    remember(node, total);
     return total;
   }
 
@@ -61,14 +73,19 @@ class CurveLengths {
       if (closed_) return links;
       const std::uint8_t around = neighbours_[node];
       if (valence(around) != 2) return links;
-      if (mark != 0) length_[node] = mark;
+      if (mark != 0) remember(node, mark);
       neighbour = std::countr_zero(static_cast<unsigned>(around & ~reversed(neighbour)));
     }
   }
 
+  void remember(int node, int length) {
+    length_[node] = length;
+    measured_.push_back(node);
+  }
+
   const std::vector<std::uint8_t>& neighbours_;
   std::array<int, 8> offsets_;
-  std::vector<int>& length_;
+  std::vector<int>&length_, &measured_;
   bool closed_ = false;
 };
 
@@ -161,11 +178,10 @@ void for_each_crossing(const SimilarityGraph& graph, Visit visit) {
 void cast_votes(const SimilarityGraph& frozen, const CrossingVotes& votes, CrossingScratch& scratch) {
   const Lattice& lattice = frozen.lattice;
   const int stride = lattice.stride();
-  scratch.curve_length.assign(lattice.size(), 0);
   scratch.cut.resize(scratch.crossings.size());
   scratch.windows.resize(kCachedWindows);
   const auto valence_of = [&](int pixel) { return valence(scratch.neighbours[pixel]); };
-  CurveLengths curves(lattice, scratch.neighbours, scratch.curve_length);
+  CurveLengths curves(lattice, scratch);
   for (std::size_t c = 0; c < scratch.crossings.size(); ++c) {
     const int nw = scratch.crossings[c], ne = nw + 1, sw = nw + stride, se = sw + 1;
     const WindowCacheEntry& sizes = component_sizes(frozen, nw, scratch.windows);
@@ -196,8 +212,9 @@ int resolve_crossings(SimilarityGraph& graph, const CrossingVotes& votes, Crossi
   return static_cast<int>(scratch.crossings.size());
 }
 
-void resolve_some_crossings(const SimilarityGraph& frozen, std::span<const int> blocks, const CrossingVotes& votes,
-                            CrossingScratch& scratch, std::vector<std::uint8_t>& links) {
+void resolve_some_crossings(const SimilarityGraph& frozen, std::span<const int> blocks,
+                            const CrossingVotes& votes, CrossingScratch& scratch,
+                            std::vector<std::uint8_t>& links) {
   if (blocks.empty()) return;
   scratch.crossings.assign(blocks.begin(), blocks.end());
   cast_votes(frozen, votes, scratch);

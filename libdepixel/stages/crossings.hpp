@@ -30,9 +30,13 @@ struct CrossingScratch {
   std::vector<int> crossings;             ///< blocks whose diagonals cross
   std::vector<std::uint8_t> cut;          ///< BlockLink mask to remove, one for each crossing
   std::vector<std::uint8_t> neighbours;   ///< by find_neighbours(), of the frozen graph
-  std::vector<int> curve_length;  ///< padded; of the curve through a valence-2 node, 0 where not known yet
+  std::vector<int> curve_length;  ///< padded; of the curve through a valence-2 node, 0 where not known; all 0
+                                  ///< between calls
+  std::vector<int> measured;  ///< nodes whose curve_length is not 0
 
-  std::size_t memory_bytes() const { return held_bytes(windows, crossings, cut, neighbours, curve_length); }
+  std::size_t memory_bytes() const {
+    return held_bytes(windows, crossings, cut, neighbours, curve_length, measured);
+  }
 };
 
 /// Resolves every crossing pair of diagonals (stage 2 of 6).
@@ -48,7 +52,8 @@ int resolve_crossings(SimilarityGraph& graph, const CrossingVotes& votes, Crossi
 /// \param blocks   crossings, each once.
 /// \param scratch  neighbours must be those of the frozen graph.
 /// \param links    padded; set for these blocks only.
-void resolve_some_crossings(const SimilarityGraph& frozen, std::span<const int> blocks, const CrossingVotes& votes,
-                            CrossingScratch& scratch, std::vector<std::uint8_t>& links);
+void resolve_some_crossings(const SimilarityGraph& frozen, std::span<const int> blocks,
+                            const CrossingVotes& votes, CrossingScratch& scratch,
+                            std::vector<std::uint8_t>& links);
 
 }  // namespace depixel

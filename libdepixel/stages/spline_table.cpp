@@ -15,7 +15,8 @@ constexpr std::uint64_t kMultiplier = 0x9e3779b97f4a7c15, kIsHash = std::uint64_
 /// What a shape is looked up by. Of up to four nodes, all of it; else a hash, with the uppermost bit set.
 std::uint64_t key_of(std::span<const ShapeWord> words, ArcKind kind) {
   static_assert(ShapeWord::kBits == 11);
-  const std::uint64_t kind_bits = std::uint64_t{kind.rounds} << 2 | (kind.closed ? 2U : 0U) | (kind.interpolated ? 1U : 0U);
+  const std::uint64_t kind_bits =
+      std::uint64_t{kind.rounds} << 2 | (kind.closed ? 2U : 0U) | (kind.interpolated ? 1U : 0U);
   constexpr std::size_t kAtOnce = sizeof(std::uint64_t) / sizeof(ShapeWord);
   if (words.size() <= kAtOnce) {
     std::uint64_t key = words.size() << 6 | kind_bits;
@@ -28,7 +29,8 @@ std::uint64_t key_of(std::span<const ShapeWord> words, ArcKind kind) {
     hash = std::rotl((hash ^ load_vector<std::uint64_t>(words.data() + k)) * kMultiplier, 29);
   }
   if (k < words.size()) {  // the last four once more: some of them are new
-    hash = std::rotl((hash ^ load_vector<std::uint64_t>(words.data() + words.size() - kAtOnce)) * kMultiplier, 29);
+    hash = std::rotl((hash ^ load_vector<std::uint64_t>(words.data() + words.size() - kAtOnce)) * kMultiplier,
+                     29);
   }
   return hash | kIsHash;
 }
@@ -137,7 +139,8 @@ int SplineTable::joined(int fitted, bool southwards, glm::i16vec2 p0, glm::i16ve
   const EdgeCurve base = curves_[fitted];
   if (base.p0 == p0 && base.p3 == p3) return fitted;
   const std::array<std::int16_t, 4> ends{p0.x, p0.y, p3.x, p3.y};
-  const std::uint64_t key = std::rotl(load_vector<std::uint64_t>(ends.data()) * kMultiplier, 29) ^ static_cast<std::uint64_t>(fitted);
+  const std::uint64_t key = std::rotl(load_vector<std::uint64_t>(ends.data()) * kMultiplier, 29) ^
+                            static_cast<std::uint64_t>(fitted);
   const auto next = static_cast<int>(curves_.size());
   // An edge's curve is fitted for its direction, so that the direction need not be compared.
   const int number = joined_index_.find_or_add(key, next, [&](int known) {
