@@ -153,12 +153,25 @@ void PictureUpdater::draw_window(const IncrementalVectorizer& source, const Outp
   sums.start(strip.first_px, strip.end_px - strip.first_px);
 
   const int shift = left_px * kRasterSubpixels;
+  const bool is_flattened = FlattenedCurves::fits(grid);
   const auto add = [&](int corner, int x, int y, int number, bool southwards) {
-    const Segment s = segment_of(source.table().curve(number), {x, y}, corner, southwards, lattice.stride());
-    const auto change = Model::change(colours[s.right], colours[s.left]);
-    flatten(grid(s.p0), grid(s.p1), grid(s.p2), grid(s.p3),
-            flattening_pieces(s.p0, s.p1, s.p2, s.p3, grid.scale),
-            [&](glm::ivec2 a, glm::ivec2 b) { sums.add_line(a.x - shift, a.y, b.x - shift, b.y, change); });
+    const EdgeSides sides = sides_of(corner, southwards, lattice.stride());
+    const auto change = Model::change(colours[sides.right], colours[sides.left]);
+    const auto add_line = [&](glm::ivec2 a, glm::ivec2 b) {
+      sums.add_line(a.x - shift, a.y, b.x - shift, b.y, change);
+    };
+    if (!is_flattened) {
+      const Segment s =
+          segment_of(source.table().curve(number), {x, y}, corner, southwards, lattice.stride());
+      flatten(grid(s.p0), grid(s.p1), grid(s.p2), grid(s.p3),
+              flattening_pieces(s.p0, s.p1, s.p2, s.p3, grid.scale), add_line);
+      return;
+    }
+    const glm::ivec2 owner(grid.column(x), grid.row(y));
+    const std::span<const glm::i16vec2> points = scratch.flattened.points(number);
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      add_line(owner + glm::ivec2(points[k - 1]), owner + glm::ivec2(points[k]));
+    }
   };
   for (int y = std::max(strip.first - 1, 0); y <= std::min(strip.end + 1, lattice.height()); ++y) {
     const TileMask wanted = rows_mask(y, strip.first, strip.end);
@@ -206,7 +219,10 @@ void PictureUpdater::draw_stale(const IncrementalVectorizer& source, const Outpu
   if (sums.size() < threads) sums.resize(threads);
   if (scratch_.size() < threads) scratch_.resize(threads);
   for (BandSums<Model>& own : sums) own.resize(grid.target.width);
-  for (Scratch& own : scratch_) own.drawn_pixels = 0;
+  for (Scratch& own : scratch_) {
+    own.drawn_pixels = 0;
+    own.flattened.start(source.table(), grid);
+  }
   workers_.run(static_cast<int>(strips_.size()), [&](int part, int thread) {
     Scratch& own = scratch_[thread];
     find_windows(source, grid, strips_[part], own);
@@ -218,7 +234,9 @@ void PictureUpdater::draw_stale(const IncrementalVectorizer& source, const Outpu
 }
 
 std::size_t PictureUpdater::memory_bytes() const {
-  return raster_.memory_bytes() + mover_.memory_bytes() + held_bytes(is_stale_, strips_);
+  std::size_t bytes = raster_.memory_bytes() + mover_.memory_bytes() + held_bytes(is_stale_, strips_);
+  for (const Scratch& own : scratch_) bytes += own.flattened.memory_bytes();
+  return bytes;
 }
 
 }  // namespace depixel

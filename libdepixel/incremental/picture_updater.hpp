@@ -7,6 +7,7 @@
 #include "libdepixel/incremental/incremental_vectorizer.hpp"
 #include "libdepixel/incremental/tile_mover.hpp"
 #include "libdepixel/raster/cpu_raster.hpp"
+#include "libdepixel/raster/flattened_curves.hpp"
 
 namespace depixel {
 
@@ -54,6 +55,7 @@ class PictureUpdater {
   struct Scratch {
     std::vector<std::uint8_t> stale, occupied;  ///< by column of tiles, and of corners
     std::vector<Window> windows;
+    FlattenedCurves flattened;
     std::int64_t drawn_pixels = 0;
   };
 

@@ -37,13 +37,25 @@ struct PlanarMap {
 /// True where no pixel of a frame lets anything through.
 bool is_opaque(const Lattice& lattice, const std::vector<Rgba>& colours);
 
+/// The pixels on both sides of the edge that leaves a corner eastwards or southwards, seen in that direction.
+struct EdgeSides {
+  int left, right;
+};
+constexpr EdgeSides sides_of(int corner, bool southwards, int stride) {
+  return {corner + (southwards ? stride + 1 : 1), corner + (southwards ? stride : stride + 1)};
+}
+
 /// The segment along the visible edge that leaves a corner eastwards or southwards.
 inline Segment segment_of(const EdgeCurve& curve, glm::ivec2 corner_position, int corner, bool southwards,
                           int stride) {
   const glm::ivec2 origin = corner_position * kSubpixels;
-  return {origin + glm::ivec2(curve.p0),          origin + glm::ivec2(curve.p1),
-          origin + glm::ivec2(curve.p2),          origin + glm::ivec2(curve.p3),
-          corner + (southwards ? stride + 1 : 1), corner + (southwards ? stride : stride + 1)};
+  const EdgeSides sides = sides_of(corner, southwards, stride);
+  return {origin + glm::ivec2(curve.p0),
+          origin + glm::ivec2(curve.p1),
+          origin + glm::ivec2(curve.p2),
+          origin + glm::ivec2(curve.p3),
+          sides.left,
+          sides.right};
 }
 
 /// Writes a map out (stage 6 of 6).

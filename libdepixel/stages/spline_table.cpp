@@ -73,6 +73,7 @@ int SplineTable::Index::find_or_add(std::uint64_t key, int number, IsSame is_sam
 }
 
 void SplineTable::clear() {
+  ++generation_;
   words_.clear();
   shapes_.clear();
   fitted_shapes_ = 0;

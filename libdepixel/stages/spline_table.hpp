@@ -34,6 +34,8 @@ class SplineTable {
 
   const EdgeCurve& curve(int number) const { return curves_[number]; }
   TileMask tiles(int number) const { return tiles_[number]; }
+  /// Counts calls of clear(): numbers of other generations are of other curves.
+  unsigned generation() const { return generation_; }
   /// Curves held, joined ones among them.
   std::size_t size() const { return curves_.size() - 1; }
 
@@ -71,6 +73,7 @@ class SplineTable {
 
   int add_curves(int count);
 
+  unsigned generation_ = 0;
   std::vector<ShapeWord> words_;
   std::vector<Shape> shapes_;
   std::size_t fitted_shapes_ = 0;  ///< shapes before this one have their curves
