@@ -98,7 +98,7 @@ void IncrementalVectorizer::forget(const Lattice& lattice) {
   cells_.lattice = {};
   cells_.resize(lattice);
   colours_before_.assign(lattice.size(), Rgba{});
-  thin_.assign(lattice.size() + sizeof(std::uint64_t) * 2, 0);
+  thin_.assign(lattice.size() + sizeof(std::uint64_t) * 2, 1);  // as all pixels without links are
   table_.clear();
   votes_.clear();
   edges_.lattice = lattice;

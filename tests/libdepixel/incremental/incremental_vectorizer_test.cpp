@@ -52,6 +52,13 @@ RC_GTEST_PROP(IncrementalVectorizer, MapsAreThoseMadeFromScratch, (const Sequenc
   if (!found.empty()) RC_FAIL(found);
 }
 
+TEST(IncrementalVectorizer, PixelsWithoutLinksAreThinFromTheFirstFrameOn) {
+  EXPECT_EQ(first_mismatch({{{ascii_picture({"#.",  //
+                                             "rr"}),
+                              {}}}}),
+            "");
+}
+
 TEST(IncrementalVectorizer, MapsOfLongSequencesAreThoseMadeFromScratch) {
   for (const unsigned seed : {1U, 2U}) {
     EXPECT_EQ(first_mismatch(fixed_sequence(seed, {.max_width = 40, .max_height = 32, .steps = 250})), "");
