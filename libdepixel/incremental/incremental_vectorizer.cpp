@@ -51,6 +51,7 @@ void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& opt
   }
   stats_.changed_pixels = take_changed_pixels(frame, graph_, changed_pixels_);
   stats_.stale_corners = stats_.contours = stats_.nodes = stats_.arcs = stats_.fitted_shapes = 0;
+  stats_.changed_tiles = stats_.moved_tiles = 0;
   if (!is_known) set_all(lattice, changed_pixels_);
   if (is_known && stats_.changed_pixels == 0) {
     changes_.set_nothing();

@@ -150,6 +150,8 @@ TEST(IncrementalVectorizer, TheSameFrameAgainChangesNothing) {
   EXPECT_EQ(stats.stale_corners, 0);
   EXPECT_EQ(stats.contours, 0);
   EXPECT_EQ(stats.fitted_shapes, 0);
+  EXPECT_EQ(stats.changed_tiles, 0);
+  EXPECT_EQ(stats.moved_tiles, 0);
 }
 
 TEST(IncrementalVectorizer, TransparentPixelsOfOtherColoursAreTheSame) {
