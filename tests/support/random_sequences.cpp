@@ -51,8 +51,8 @@ void shift(glm::ivec2& offset, const Step& step) {
 
 class Scene {
  public:
-  Scene(const Picture& background, const Options& options)
-      : background_(background), size_(background.width, background.height), options_(options) {
+  Scene(const Picture& background, glm::ivec2 size, const Options& options)
+      : background_(background), size_(size), options_(options) {
     restore_palette();
   }
 
@@ -85,7 +85,7 @@ class Scene {
         foreground_ = foreground_.width == 0 ? step.picture : Picture{};
         return;
       case StepKind::change_hud:
-        hud_rows_ = hud_rows_ == 0 ? step.height : 0;
+        hud_rows_ = hud_rows_ == 0 ? (step.height + 3) / 4 : 0;
         return;
       case StepKind::cycle_palette:  // what was equal stays equal, and nothing else becomes so
         std::rotate(palette_.begin(), palette_.begin() + wrapped(step.which, colour_count()), palette_.end());
@@ -171,11 +171,17 @@ rc::Gen<int> random_int(int from, int end) {
   return rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, end));
 }
 
+/// A width or height: mostly a large one, shrinks to 1.
+rc::Gen<int> random_size(int max_size) {
+  return rc::gen::map(random_int(0, 2 * max_size), [max_size](int k) {
+    return k < max_size ? k + 1 : max_size / 2 + 1 + (k - max_size) / 2;
+  });
+}
+
 rc::Gen<Options> likely_options() {
   return rc::gen::weightedOneOf<Options>({{3, random_lossless_options()}, {1, random_options()}});
 }
 
-/// A picture of just this size, or up to it.
 rc::Gen<Picture> random_background(int max_width, int max_height) {
   return rc::gen::map(random_picture({std::max(max_width, max_height), kColours}),
                       [=](const Picture& picture) {
@@ -271,8 +277,9 @@ rc::Gen<Sequence> random_sequence(const RandomSequenceLimits& limits) {
   const auto steps = limits.steps > 0 ? rc::gen::container<std::vector<Step>>(limits.steps, step)
                                       : rc::gen::resize(kSteps, rc::gen::container<std::vector<Step>>(step));
   return rc::gen::apply(
-      [](const Picture& background, const Options& options, const std::vector<Step>& list) {
-        Scene scene(background, options);
+      [](const Picture& background, int width, int height, const Options& options,
+         const std::vector<Step>& list) {
+        Scene scene(background, {width, height}, options);
         Sequence sequence{{scene.frame()}};
         for (const Step& next : list) {
           scene.take(next);
@@ -280,7 +287,8 @@ rc::Gen<Sequence> random_sequence(const RandomSequenceLimits& limits) {
         }
         return sequence;
       },
-      random_background(limits.max_width, limits.max_height), likely_options(), steps);
+      random_background(limits.max_width, limits.max_height), random_size(limits.max_width),
+      random_size(limits.max_height), likely_options(), steps);
 }
 
 Sequence fixed_sequence(unsigned seed, const RandomSequenceLimits& limits) {
