@@ -13,8 +13,9 @@ namespace {
 constexpr int kStripTiles = 2;
 /// Windows with fewer tiles than this between them are drawn as one.
 constexpr int kLeastGap = 3;
-/// Curves that touch a window end at most this many tiles beyond it.
-constexpr int kBeyondWindow = 2;
+/// Curves that are drawn with a window end at most this many tiles beyond it: those of the next tile, into
+/// which the window's last pixels may reach, are owned by corners one further on.
+constexpr int kBeyondWindow = 3;
 
 int floor_px(int subpixels) {
   return subpixels >> 8;
@@ -149,7 +150,7 @@ void PictureUpdater::draw_window(const IncrementalVectorizer& source, const Outp
     const TileMask wanted = rows_mask(y, strip.first, strip.end);
     const int first = window.clear + 1;
     const int* curve = source.edges().curve.data() + edge_slot(lattice.corner(first, y), false);
-    for (int x = first; x <= window.to; ++x, curve += 2) {
+    for (int x = first; x <= window.to + 1; ++x, curve += 2) {
       for (const int southwards : {0, 1}) {
         if (curve[southwards] != 0 && (source.table().tiles(curve[southwards]) & wanted) != 0) {
           add(lattice.corner(x, y), x, y, curve[southwards], southwards != 0);

@@ -255,6 +255,20 @@ TEST(PictureUpdater, FramesThatWereNotDrawnAddUp) {
   }
 }
 
+TEST(PictureUpdater, PixelsThatReachIntoTheNextTileShowAllOfItsCurves) {
+  const Picture before = ascii_picture({"......",  //
+                                        ".#.#.#",  //
+                                        "......"});
+  const Picture after = ascii_picture({".#....",  //
+                                       ".#.#.#",  //
+                                       "......"});
+  Options options;
+  options.smoothing = Smoothing::average;
+  const ViewPlan view{ViewPlan::Kind::cut, 1.5, 2.5, 0.3, -2, 5, 9};
+  Drawing drawing({view, view});
+  for (const Picture& picture : {before, after}) EXPECT_EQ(drawing.mismatch({picture, options}, {}), "");
+}
+
 TEST(PictureUpdater, WhatIsNotKeptIsDrawnWhole) {
   Drawing drawing({kWhole, kWhole});
   ASSERT_EQ(drawing.mismatch({hills({0, 0}), {}}, {}), "");
