@@ -50,7 +50,10 @@ bool PictureUpdater::Drawn::operator==(const Drawn& other) const {
 void PictureUpdater::draw(const IncrementalVectorizer& source, const MapChanges& changes, const View& view,
                           bool linear_light, int threads, const PictureView& target, bool is_kept) {
   drawn_pixels_ = moved_pixels_ = 0;
-  if (target.width <= 0 || target.height <= 0) return;
+  if (target.width <= 0 || target.height <= 0) {
+    drawn_ = {};  // what changed is told once, and no picture shows it
+    return;
+  }
   const OutputGrid grid(view, source.lattice(), target);
   const bool opaque = grid.covers_target() && is_opaque(source.lattice(), source.colours());
   const Drawn now{target, view, source.lattice(), linear_light, opaque};

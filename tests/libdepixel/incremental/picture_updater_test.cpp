@@ -301,5 +301,21 @@ TEST(PictureUpdater, EmptyTargetsAreLeftAlone) {
   EXPECT_EQ(updater.drawn_pixels(), 0);
 }
 
+TEST(PictureUpdater, AnEmptyTargetDoesNotTakeTheChangesOfAnother) {
+  const View view{kScale, kScale, 0, 0};
+  IncrementalVectorizer vectorizer;
+  PictureUpdater updater;
+  Picture kept(96 * kScale, 48 * kScale), expected = kept;
+  vectorizer.vectorize(hills({0, 0}).view(), {});
+  updater.draw(vectorizer, vectorizer.changes(), view, false, 1, kept.target(), true);
+  vectorizer.vectorize(hills({1, 0}).view(), {});
+  updater.draw(vectorizer, vectorizer.changes(), view, false, 1, {kept.target().pixels, 0, 5, 0}, true);
+  MapChanges none;
+  none.set_nothing();
+  updater.draw(vectorizer, none, view, false, 1, kept.target(), true);
+  CpuRaster().draw(vectorizer.map(), view, false, 1, expected.target());
+  EXPECT_TRUE(kept == expected);
+}
+
 }  // namespace
 }  // namespace depixel::test
