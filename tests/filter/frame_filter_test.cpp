@@ -265,6 +265,18 @@ TEST(CpuFilter, KeptPicturesAreBroughtUpToDate) {
   }
 }
 
+TEST(CpuFilter, ARefusedFrameLeavesNoTrace) {
+  const auto filter = FrameFilter::cpu();
+  Picture kept(4 * 96, 4 * 48);
+  for (const int from : {0, 1}) {
+    ASSERT_TRUE(filter->submit(hills(from).view(), {}));
+    expect_kept_is_as_plain(*filter, kept);
+  }
+  EXPECT_FALSE(filter->submit({}, {}));
+  expect_kept_is_as_plain(*filter, kept);
+  EXPECT_EQ(filter->stats().moved_pixels, 0);
+}
+
 TEST(CpuFilter, AnEmptyViewportDoesNotTakeTheChangesOfAnother) {
   const auto filter = FrameFilter::cpu();
   Picture kept(4 * 96, 4 * 48);
