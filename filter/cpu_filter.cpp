@@ -12,7 +12,7 @@ class CpuFilter final : public FrameFilter {
  public:
   tl::expected<void, Error> submit(const FrameView& frame, const Options& options) override {
     auto submitted = FrameFilter::submit(frame, options);
-    if (has_frame_) changes_.add(vectorizer_.changes());
+    if (has_pixels(frame)) changes_.add(vectorizer_.changes());
     return submitted;
   }
 

@@ -21,8 +21,12 @@ bool is_inside(const Viewport& viewport, const PictureView& picture) {
 
 }  // namespace
 
+bool FrameFilter::has_pixels(const FrameView& frame) {
+  return frame.pixels != nullptr && frame.width > 0 && frame.height > 0;
+}
+
 tl::expected<void, Error> FrameFilter::submit(const FrameView& frame, const Options& options) {
-  if (frame.pixels == nullptr || frame.width < 1 || frame.height < 1) {
+  if (!has_pixels(frame)) {
     return refuse("A frame without pixels cannot be drawn.");
   }
   stats_ = {};

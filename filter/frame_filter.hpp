@@ -99,6 +99,8 @@ class FrameFilter {
   const FilterStats& stats() const { return stats_; }
 
  protected:
+  /// Whether submit() takes a frame.
+  static bool has_pixels(const FrameView& frame);
   /// Checks what draw() is asked for.
   tl::expected<void, Error> check(const Target& target, const Viewport& viewport, const View& view) const;
 

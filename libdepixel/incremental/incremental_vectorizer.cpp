@@ -53,7 +53,7 @@ void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& opt
   const bool is_known = options_ && *options_ == of_vectorizing(options) && graph_.lattice == lattice &&
                         table_.size() <= std::max(kFewestCurves, kCurvesAPixel * lattice.size());
   options_ = of_vectorizing(options);
-  stats_.changed_pixels = stats_.stale_corners = 0;
+  stats_.changed_pixels = stats_.stale_corners = stats_.changed_tiles = stats_.moved_tiles = 0;
   stats_.contours = stats_.nodes = stats_.arcs = stats_.fitted_shapes = 0;
   if (!is_known) forget(lattice);
   find_changed_pixels(frame, graph_, changed_pixels_);
@@ -119,7 +119,7 @@ void IncrementalVectorizer::forget(const Lattice& lattice) {
   cells_.lattice = {};
   cells_.resize(lattice);
   colours_before_.assign(lattice.size(), Rgba{});
-  thin_.assign(lattice.size() + sizeof(std::uint64_t) * 2, 0);
+  thin_.assign(lattice.size() + sizeof(std::uint64_t) * 2, 1);  // as all pixels without links are
   table_.clear();
   votes_.clear();
   guess_.clear();
@@ -235,7 +235,7 @@ void IncrementalVectorizer::recolour() {
     changed_colours_ = changed_pixels_;
     copy_span(lattice, changed_colours_, graph_.pixels, cells_.colours);
     // What was opaque stays so unless something transparent comes.
-    is_opaque_ = is_opaque_ ? is_opaque_part(lattice, changed_colours_, cells_.colours)
+    is_opaque_ = is_opaque_ && !is_all_stale_ ? is_opaque_part(lattice, changed_colours_, cells_.colours)
                             : depixel::is_opaque(lattice, cells_.colours);
     return;
   }

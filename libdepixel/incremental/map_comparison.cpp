@@ -116,6 +116,7 @@ void MapComparison::find_new(const MapPair& maps, glm::ivec2 move, std::span<con
   if (is_moved) {
     changes.moves.push_back(move);
     cover(lattice, move, changes.tiles);
+    mark_lost(maps, move);
   }
   if (rules.has(Rule::tiles_by_curves)) {
     for (const SetCurve& curve : set) {
@@ -143,6 +144,20 @@ void MapComparison::find_new(const MapPair& maps, glm::ivec2 move, std::span<con
   take_marks(lattice, MapChanges::kNew, changes.tiles);
   if (is_moved) keep_flat(maps, changes.tiles);
   count(lattice, changes);
+}
+
+/// Marks edges that a move takes out of the frame, but not farther than to its side: their curves may have reached
+/// into tiles that stay.
+void MapComparison::mark_lost(const MapPair& maps, glm::ivec2 move) {
+  const Lattice& lattice = maps.lattice;
+  const auto mark_one = [&](glm::ivec2 owner, bool southwards) {
+    const glm::ivec2 from = owner - move;
+    if (from.x < 0 || from.y < 0 || from.x > lattice.width() || from.y > lattice.height()) return;
+    const int before = maps.curve_before[edge_slot(lattice.corner(from.x, from.y), southwards)];
+    mark(maps, edge_slot(lattice.corner(owner.x, owner.y), southwards), 0, before);
+  };
+  for (int y = 0; y <= lattice.height(); ++y) mark_one({-1, y}, false);
+  for (int x = 0; x <= lattice.width(); ++x) mark_one({x, -1}, true);
 }
 
 /// Fills in what a move brings: its own value, and kNew in tiles that it uncovers.
@@ -270,11 +285,12 @@ void MapComparison::find_moved(const MapPair& maps, std::span<const SetCurve> se
   const Lattice& lattice = maps.lattice;
 
   for (const glm::ivec2 move : moves) {
-    if (changes.new_tiles * kLeastPart <= lattice.width() * lattice.height()) return;
+    const bool stays = move == glm::ivec2(0);
+    if (!stays && changes.new_tiles * kLeastPart <= lattice.width() * lattice.height()) return;
     // Farther ones bring nothing, and those that were tried bring no more.
     const bool is_tried = std::find(changes.moves.begin(), changes.moves.end(), move) != changes.moves.end();
     const bool is_near = std::abs(move.x) < lattice.width() && std::abs(move.y) < lattice.height();
-    if (is_tried || !is_near || !is_likely(maps, set, move)) continue;
+    if (is_tried || !is_near || (!stays && !is_likely(maps, set, move))) continue;
     find_new_spans(lattice, changes.tiles);
     differs_.assign(lattice.size(), 0);
     compare_moved(maps, move);

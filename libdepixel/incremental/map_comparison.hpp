@@ -49,6 +49,7 @@ class MapComparison {
   static void keep_flat(const MapPair& maps, std::vector<std::uint8_t>& tiles);
   static void count(const Lattice& lattice, MapChanges& changes);
   void mark(const MapPair& maps, int slot, int now, int before);
+  void mark_lost(const MapPair& maps, glm::ivec2 move);
   void take_marks(const Lattice& lattice, std::uint8_t value, std::vector<std::uint8_t>& tiles);
   void find_new_spans(const Lattice& lattice, const std::vector<std::uint8_t>& tiles);
   void compare_moved(const MapPair& maps, glm::ivec2 move);

@@ -13,8 +13,9 @@ namespace {
 constexpr int kStripTiles = 2;
 /// Windows with fewer tiles than this between them are drawn as one.
 constexpr int kLeastGap = 3;
-/// Curves that touch a window end at most this many tiles beyond it.
-constexpr int kBeyondWindow = 2;
+/// Curves that are drawn with a window end at most this many tiles beyond it: those of the next tile, into
+/// which the window's last pixels may reach, are owned by corners one further on.
+constexpr int kBeyondWindow = 3;
 
 int floor_px(int subpixels) {
   return subpixels >> 8;
@@ -49,7 +50,10 @@ bool PictureUpdater::Drawn::operator==(const Drawn& other) const {
 void PictureUpdater::draw(const IncrementalVectorizer& source, const MapChanges& changes, const View& view,
                           bool linear_light, int threads, const PictureView& target, bool is_kept) {
   drawn_pixels_ = moved_pixels_ = 0;
-  if (target.width <= 0 || target.height <= 0) return;
+  if (target.width <= 0 || target.height <= 0) {
+    drawn_ = {};  // what changed is told once, and no picture shows it
+    return;
+  }
   const OutputGrid grid(view, source.lattice(), target);
   const bool opaque = grid.covers_target() && source.is_opaque();
   const Drawn now{target, view, source.lattice(), linear_light, opaque};
@@ -137,9 +141,12 @@ void PictureUpdater::draw_window(const IncrementalVectorizer& source, const Outp
   const Lattice& lattice = grid.lattice;
   const std::vector<Rgba>& colours = source.colours();
   const bool is_clear_west = window.clear < window.from;
-  // Tiles whose curves are looked at, first .. end - 1, and what curves that touch them may reach.
-  const int first = is_clear_west ? window.clear + 1 : window.from;
-  const int end = is_clear_west ? window.to : window.clear;
+  const bool is_flattened = FlattenedCurves::fits(grid);
+  // Corners whose edges are looked at, first .. end, and what their curves may reach. Where a source pixel is not a
+  // whole number of output pixels, the first and last ones may reach into the next tiles.
+  const int spill = is_flattened ? 0 : 1;
+  const int first = is_clear_west ? window.clear + 1 : std::max(window.from - spill, 0);
+  const int end = is_clear_west ? std::min(window.to + spill, lattice.width()) : window.clear;
   const int reach = is_clear_west ? window.to + kBeyondWindow : end;
   int left_px = floor_px(grid.column(std::max(window.from - kBeyondWindow, 0)));
   if (is_clear_west)
@@ -153,7 +160,6 @@ void PictureUpdater::draw_window(const IncrementalVectorizer& source, const Outp
   sums.start(strip.first_px, strip.end_px - strip.first_px);
 
   const int shift = left_px * kRasterSubpixels;
-  const bool is_flattened = FlattenedCurves::fits(grid);
   const auto add = [&](int corner, int x, int y, int number, bool southwards) {
     const EdgeSides sides = sides_of(corner, southwards, lattice.stride());
     const auto change = Model::change(colours[sides.right], colours[sides.left]);
@@ -188,7 +194,7 @@ void PictureUpdater::draw_window(const IncrementalVectorizer& source, const Outp
   }
   // The border: on the left, the picture begins; on the right, it ends.
   const int west = grid.column(0) - shift, east = grid.column(lattice.width()) - shift;
-  const bool has_west = window.clear < 0, has_east = end == lattice.width();
+  const bool has_west = window.clear < 0, has_east = (is_clear_west ? window.to : window.clear) == lattice.width();
   for (int y = strip.first; y < strip.end; ++y) {
     const int y0 = grid.row(y), y1 = grid.row(y + 1);
     if (has_west) sums.add_line(west, y0, west, y1, Model::change(Rgba{}, colours[lattice.pixel(0, y)]));

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "libdepixel/incremental/picture_updater.hpp"
 #include "libdepixel/pipeline/vectorizer.hpp"
 #include "libdepixel/raster/cpu_raster.hpp"
 #include "tests/support/ascii_picture.hpp"
@@ -102,6 +103,44 @@ TEST_P(Allocation, NoneAFrameWhenWarm) {
     if (frame < 2) continue;
     EXPECT_EQ(vectorized - before, 0) << "vectorizing frame " << frame;
     EXPECT_EQ(drawn - vectorized, 0) << "drawing frame " << frame;
+  }
+}
+
+/// Four frames that come again and again: a scene in which something moved, then something changed.
+std::array<Picture, 4> recurring_frames() {
+  const Picture scene = frames()[0];
+  Picture moved(scene.width, scene.height, palette_colour('.'));
+  paste(moved, scene, 3, 1);
+  Picture changed = moved;
+  paste(changed, Picture(5, 4, palette_colour('y')), 50, 20);
+  return {scene, moved, changed, scene};
+}
+
+TEST_P(Allocation, NoneAnIncrementalFrameWhenWarm) {
+  const Options& options = GetParam();
+  const std::array<Picture, 4> pictures = recurring_frames();
+  for (const double scale : {3.0, 2.5}) {
+    Picture out(static_cast<int>(scale * pictures[0].width), static_cast<int>(scale * pictures[0].height));
+    const View view{scale, scale, 0, 0};
+    IncrementalVectorizer vectorizer;
+    PictureUpdater updater;
+    MapChanges changes;
+    constexpr int kWarmUp = 3;
+    std::int64_t moved_pixels = 0;
+    for (int frame = 0; frame < 4 * (kWarmUp + 2); ++frame) {
+      const long before = allocations;
+      vectorizer.vectorize(pictures[frame % 4].view(), options);
+      changes.add(vectorizer.changes());
+      const long vectorized = allocations;
+      updater.draw(vectorizer, changes, view, options.linear_light, 1, out.target(), true);
+      changes.set_nothing();
+      const long drawn = allocations;
+      moved_pixels += updater.moved_pixels();
+      if (frame < 4 * kWarmUp) continue;
+      EXPECT_EQ(vectorized - before, 0) << "vectorizing frame " << frame;
+      EXPECT_EQ(drawn - vectorized, 0) << "drawing frame " << frame;
+    }
+    EXPECT_EQ(moved_pixels > 0, scale == 3.0);
   }
 }
 

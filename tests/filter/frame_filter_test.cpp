@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 
+#include "libdepixel/raster/cpu_raster.hpp"
 #include "tests/filter/gl_fixture.hpp"
 #include "tests/support/random_pictures.hpp"
 #include "tests/support/test_pictures.hpp"
@@ -227,6 +229,62 @@ TEST(CpuFilter, DrawsToPicturesOnly) {
   const auto filter = FrameFilter::cpu();
   ASSERT_TRUE(filter->submit(ascii_picture({"#.", ".#"}).view(), {}));
   EXPECT_FALSE(filter->draw(GlFramebuffer{0}, {0, 0, 8, 8}, {4, 4, 0, 0}));
+}
+
+/// A landscape in which nothing comes twice, seen from a column.
+Picture hills(int from) {
+  Picture picture(96, 48);
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const double u = x + from, height = std::sin(0.31 * u + 0.17 * y) + std::sin(0.11 * u - 0.23 * y) +
+                                          std::sin(0.47 * y + 0.002 * u * u);
+      picture.at(x, y) = palette_colour(height < -0.5 ? 'b' : height < 0.7 ? 'g' : 'y');
+    }
+  }
+  return picture;
+}
+
+/// What a filter draws to a picture that it is told is kept.
+void expect_kept_is_as_plain(FrameFilter& filter, Picture& kept) {
+  constexpr View kView{4, 4, 0, 0};
+  const Viewport all{0, 0, kept.width, kept.height};
+  ASSERT_TRUE(filter.draw(KeptPicture{kept.target()}, all, kView));
+  Picture expected(kept.width, kept.height);
+  CpuRaster().draw(filter.vectorizer().map(), kView, false, 1, expected.target());
+  EXPECT_TRUE(kept == expected);
+}
+
+TEST(CpuFilter, KeptPicturesAreBroughtUpToDate) {
+  const auto filter = FrameFilter::cpu();
+  filter->check_incremental(true);
+  Picture kept(4 * 96, 4 * 48);
+  for (const int from : {0, 1, 3, 2}) {
+    ASSERT_TRUE(filter->submit(hills(from).view(), {}));
+    expect_kept_is_as_plain(*filter, kept);
+    EXPECT_EQ(filter->stats().moved_pixels > 0, from != 0);
+  }
+}
+
+TEST(CpuFilter, ARefusedFrameLeavesNoTrace) {
+  const auto filter = FrameFilter::cpu();
+  Picture kept(4 * 96, 4 * 48);
+  for (const int from : {0, 1}) {
+    ASSERT_TRUE(filter->submit(hills(from).view(), {}));
+    expect_kept_is_as_plain(*filter, kept);
+  }
+  EXPECT_FALSE(filter->submit({}, {}));
+  expect_kept_is_as_plain(*filter, kept);
+  EXPECT_EQ(filter->stats().moved_pixels, 0);
+}
+
+TEST(CpuFilter, AnEmptyViewportDoesNotTakeTheChangesOfAnother) {
+  const auto filter = FrameFilter::cpu();
+  Picture kept(4 * 96, 4 * 48);
+  ASSERT_TRUE(filter->submit(hills(0).view(), {}));
+  expect_kept_is_as_plain(*filter, kept);
+  ASSERT_TRUE(filter->submit(hills(1).view(), {}));
+  ASSERT_TRUE(filter->draw(KeptPicture{kept.target()}, {}, {4, 4, 0, 0}));
+  expect_kept_is_as_plain(*filter, kept);
 }
 
 }  // namespace

@@ -170,5 +170,56 @@ RC_GTEST_PROP(Contours, AreMaximalAndStartCanonically, (const Picture& picture))
   RC_ASSERT(entries == static_cast<int>(v.contours().corner.size()));
 }
 
+/// A contour as it was traced: its nodes' corners, their headings, and whether it is closed.
+using TracedContour = std::tuple<std::vector<int>, std::vector<std::uint8_t>, bool>;
+
+std::set<TracedContour> traced_set(const Contours& contours) {
+  std::set<TracedContour> all;
+  for (const Contour& c : contours.list) {
+    const auto corner = contours.corner.begin() + c.first;
+    const auto heading = contours.heading.begin() + c.first;
+    const bool is_new =
+        all.insert({{corner, corner + c.count}, {heading, heading + c.count}, c.closed}).second;
+    RC_ASSERT(is_new);
+  }
+  return all;
+}
+
+RC_GTEST_PROP(Contours, ThroughAllCornersGoAllContours, (const Picture& picture)) {
+  Vectorizer v;
+  v.vectorize(picture.view(), *random_options());
+  std::vector<int> corners;
+  for (int y = 0; y <= picture.height; ++y) {
+    for (int x = 0; x <= picture.width; ++x) corners.push_back(v.cells().lattice.corner(x, y));
+  }
+  Contours through;
+  trace_contours_through(v.cells(), corners, through);
+  RC_ASSERT(traced_set(through) == traced_set(v.contours()));
+}
+
+RC_GTEST_PROP(Contours, ThroughSomeCornersGoThoseThatPassThere, (const Picture& picture)) {
+  Vectorizer v;
+  v.vectorize(picture.view(), *random_options());
+  const Lattice& lattice = v.cells().lattice;
+  // Any, more than once, and some that nothing passes.
+  std::vector<int> corners;
+  for (const auto& [x, y] :
+       *rc::gen::resize(6, rc::gen::arbitrary<std::vector<std::pair<unsigned, unsigned>>>())) {
+    corners.push_back(lattice.corner(static_cast<int>(x % (picture.width + 1U)),
+                                     static_cast<int>(y % (picture.height + 1U))));
+  }
+  std::set<TracedContour> expected;
+  for (const TracedContour& contour : traced_set(v.contours())) {
+    const std::vector<int>& nodes = std::get<0>(contour);
+    const bool passes = std::any_of(corners.begin(), corners.end(), [&](int corner) {
+      return std::find(nodes.begin(), nodes.end(), corner) != nodes.end();
+    });
+    if (passes) expected.insert(contour);
+  }
+  Contours through;
+  trace_contours_through(v.cells(), corners, through);
+  RC_ASSERT(traced_set(through) == expected);
+}
+
 }  // namespace
 }  // namespace depixel::test

@@ -1,0 +1,166 @@
+#include "libdepixel/incremental/rules.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "libdepixel/incremental/picture_updater.hpp"
+#include "tests/support/ascii_picture.hpp"
+
+namespace depixel::test {
+namespace {
+
+/// Two frames of which the second goes wrong without a rule, and the first does not.
+struct RuleCase {
+  std::string_view rule;
+  Picture before, after;
+};
+
+/// The smallest that a search over random sequences came to.
+std::vector<RuleCase> rule_cases() {
+  return {
+      // The link is the first row's, the pixel that changes is in the second.
+      {"links_by_pixels",
+       ascii_picture({"..",  //
+                      ".."}),
+       ascii_picture({"..",  //
+                      "4."})},
+      // The crossing on the left has as sparse a component on either side no more.
+      {"crossings_by_windows",
+       ascii_picture({"..#",  //
+                      "4.4",  //
+                      ".44"}),
+       ascii_picture({"..4",  //
+                      "4.4",  //
+                      ".44"})},
+      // The curve on the left is longer by a link; the crossing lies too far to the right to see it in its window.
+      {"crossings_by_curves",
+       ascii_picture({"#4#4.4",  //
+                      "4.4#4."}),
+       ascii_picture({"#4#4.4",  //
+                      "#.4#4."})},
+      // The crossing above the change is resolved the other way.
+      {"codes_by_links",
+       ascii_picture({".7",  //
+                      "7r",  //
+                      "r7",  //
+                      ".7"}),
+       ascii_picture({".7",  //
+                      "7r",  //
+                      "r7",  //
+                      ".."})},
+      // No two pixels are linked, before and after, but the T-junction is another.
+      {"codes_by_colours",
+       ascii_picture({"#5",  //
+                      "75"}),
+       ascii_picture({"4R",  //
+                      "#R"})},
+      {"thin_by_links",
+       ascii_picture({".4",  //
+                      "55"}),
+       ascii_picture({".5",  //
+                      "55"})},
+      {"edges_by_codes",  //
+       ascii_picture({"R4"}), ascii_picture({"44"})},
+      {"curves_by_codes",
+       ascii_picture({"4.4",  //
+                      "44#"}),
+       ascii_picture({"_.4",  //
+                      "__#"})},
+      // The slanted line is longer, and its upper end is an end no more.
+      {"curves_by_thin",
+       ascii_picture({"4..",  //
+                      "b44",  //
+                      "..5"}),
+       ascii_picture({"4..",  //
+                      "b44",  //
+                      "..4"})},
+      // The contour between the two on the left ends on one that has moved.
+      {"joints_by_curves",
+       ascii_picture({"4.",  //
+                      "#4",  //
+                      ".4"}),
+       ascii_picture({"5.",  //
+                      "#4",  //
+                      ".4"})},
+      {"tiles_by_curves",
+       ascii_picture({".4",  //
+                      "4."}),
+       ascii_picture({".4",  //
+                      "6."})},
+      {"tiles_by_colours", ascii_picture({"R"}), ascii_picture({"_"})},
+      // The curve below the 4s bulges into their row, whose own colours stay and which is drawn by itself.
+      {"tiles_by_side_colours",
+       ascii_picture({"...",  //
+                      "44.",  //
+                      "gg4"}),
+       ascii_picture({"...",  //
+                      "44.",  //
+                      "##4"})},
+  };
+}
+
+/// What goes wrong in a frame.
+struct Wrong {
+  bool map = false, pixels = false;
+
+  bool any() const { return map || pixels; }
+};
+
+/// Vectorizes and draws two frames, one after the other. \return what was wrong in each.
+std::array<Wrong, 2> played(const RuleCase& c, RuleSet rules) {
+  constexpr int kScale = 4;
+  IncrementalVectorizer vectorizer(rules);
+  Vectorizer scratch;
+  PictureUpdater updater;
+  Picture out(kScale * c.before.width, kScale * c.before.height);
+  std::array<Wrong, 2> wrong;
+  for (const int frame : {0, 1}) {
+    const Picture& picture = frame == 0 ? c.before : c.after;
+    const View view{kScale, kScale, 0, 0};
+    vectorizer.vectorize(picture.view(), {});
+    updater.draw(vectorizer, vectorizer.changes(), view, false, 1, out.target(), true);
+    Picture expected(out.width, out.height);
+    CpuRaster().draw(scratch.vectorize(picture.view(), {}), view, false, 1, expected.target());
+    wrong[frame] = {!(vectorizer.map() == scratch.map()), !(out == expected)};
+  }
+  return wrong;
+}
+
+class Rules : public testing::TestWithParam<int> {};
+
+TEST_P(Rules, AreNeeded) {
+  const std::string_view name = kRuleNames[GetParam()];
+  const std::vector<RuleCase> cases = rule_cases();
+  const auto found =
+      std::find_if(cases.begin(), cases.end(), [&](const RuleCase& c) { return c.rule == name; });
+  ASSERT_NE(found, cases.end()) << "there is no case for this rule";
+
+  const auto [first, second] = played(*found, {});
+  EXPECT_FALSE(first.any());
+  EXPECT_FALSE(second.any());
+
+  const auto [first_without, second_without] =
+      played(*found, RuleSet{}.without(static_cast<Rule>(GetParam())));
+  EXPECT_FALSE(first_without.any());
+  EXPECT_TRUE(second_without.any());
+  // Rules about tiles are those of pictures.
+  EXPECT_EQ(second_without.map, !name.starts_with("tiles_"));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Rules, testing::Range(0, static_cast<int>(kRuleNames.size())),
+                         [](const auto& tested) { return std::string(kRuleNames[tested.param]); });
+
+TEST(RuleSet, HoldsAllRulesButThoseTakenAway) {
+  constexpr auto kFirst = Rule::links_by_pixels, kLast = Rule::tiles_by_side_colours;
+  EXPECT_EQ(kRuleNames.size(), static_cast<std::size_t>(kLast) + 1);
+  constexpr RuleSet kAll, kSome = kAll.without(kFirst).without(kLast);
+  for (std::size_t i = 0; i < kRuleNames.size(); ++i) {
+    const auto rule = static_cast<Rule>(i);
+    EXPECT_TRUE(kAll.has(rule));
+    EXPECT_EQ(kSome.has(rule), rule != kFirst && rule != kLast);
+  }
+}
+
+}  // namespace
+}  // namespace depixel::test
