@@ -243,6 +243,10 @@ void IncrementalVectorizer::recolour() {
   find_majority_colours(graph_, components_);
   paint_cells(graph_, &components_, cells_);
   is_opaque_ = depixel::is_opaque(lattice, cells_.colours);
+  if (is_all_stale_) {  // they are to be compared with those that were moved, and these are painted over
+    set_all(lattice, changed_colours_);
+    return;
+  }
   changed_colours_.reset(lattice.height());
   for (int y = 0; y < lattice.height(); ++y) {
     const int first = lattice.pixel(0, y);

@@ -194,7 +194,7 @@ void PictureUpdater::draw_window(const IncrementalVectorizer& source, const Outp
   }
   // The border: on the left, the picture begins; on the right, it ends.
   const int west = grid.column(0) - shift, east = grid.column(lattice.width()) - shift;
-  const bool has_west = window.clear < 0, has_east = (is_clear_west ? window.to : window.clear) == lattice.width();
+  const bool has_west = first == 0, has_east = (is_clear_west ? window.to : window.clear) == lattice.width();
   for (int y = strip.first; y < strip.end; ++y) {
     const int y0 = grid.row(y), y1 = grid.row(y + 1);
     if (has_west) sums.add_line(west, y0, west, y1, Model::change(Rgba{}, colours[lattice.pixel(0, y)]));

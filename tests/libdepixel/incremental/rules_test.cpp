@@ -84,10 +84,12 @@ std::vector<RuleCase> rule_cases() {
                       "#4",  //
                       ".4"})},
       {"tiles_by_curves",
-       ascii_picture({".4",  //
-                      "4."}),
-       ascii_picture({".4",  //
-                      "6."})},
+       ascii_picture({"...4",  //
+                      "444.",  //
+                      "...4"}),
+       ascii_picture({"...4",  //
+                      "444.",  //
+                      "..44"})},
       {"tiles_by_colours", ascii_picture({"R"}), ascii_picture({"_"})},
       // The curve below the 4s bulges into their row, whose own colours stay and which is drawn by itself.
       {"tiles_by_side_colours",
