@@ -8,8 +8,9 @@
 #endif
 
 /// Put before a function: it is compiled once for all processors and once for those with AVX2, and the right
-/// one is chosen when the program starts. Results are the same bits.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+/// one is chosen when the program starts. Results are the same bits. Not with ThreadSanitizer: the choice is
+/// made before it has begun.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
 #define DEPIXEL_VECTOR_CLONES __attribute__((target_clones("avx2", "default")))
 #else
 #define DEPIXEL_VECTOR_CLONES

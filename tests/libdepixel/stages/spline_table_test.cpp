@@ -103,6 +103,28 @@ RC_GTEST_PROP(SplineTable, ShapesAddedLaterLeaveThoseBeforeAlone, (const Picture
   RC_ASSERT(add(first) == numbers);
 }
 
+TEST(SplineTable, ThreadsLeaveNoTrace) {
+  // Noise: more shapes than one thread is given at once.
+  Picture noise(96, 64);
+  std::uint32_t state = 3;
+  for (Rgba& c : noise.pixels) {
+    state = state * 1664525 + 1013904223;
+    c = palette_colour(".#r"[(state >> 24) % 3]);
+  }
+  const Arcs arcs = arcs_of(noise, {});
+  std::vector<EdgeCurve> expected;
+  for (const int threads : {1, 2, 4}) {
+    SplineTable table;
+    Workers workers;
+    workers.set_threads(threads);
+    for (const Arc& arc : arcs.list) table.curves_of(arcs.words(arc), arc.kind);
+    EXPECT_GT(table.fit_added(Smoothing::energy, workers), 500);
+    const std::vector<EdgeCurve> curves = curves_of(table, 1, static_cast<int>(table.size()));
+    if (threads == 1) expected = curves;
+    EXPECT_TRUE(curves == expected);
+  }
+}
+
 TEST(SplineTable, KnowsManyShapes) {
   // More than the index holds at first; arcs of level steps and turns, told apart by their headings.
   SplineTable table;
