@@ -179,7 +179,7 @@ TEST_P(GlFilterOn, SendsOnlyWhatChanged) {
 
 /// New lines come after the others until most of them are nobody's; so textures grow on the way.
 TEST_P(GlFilterOn, DrawsWhatWasSentWhileTexturesGrew) {
-  constexpr int kSize = 200, kBlock = 50;
+  constexpr int kSize = 244, kBlock = 61;
   const GlContext context(GetParam());
   const auto gl = gl_filter(context), fresh = gl_filter(context);
   std::uint32_t state = 1;
