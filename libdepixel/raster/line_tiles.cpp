@@ -206,27 +206,25 @@ void LineTiles::update(const EdgeMap& edges, const SplineTable& table, const std
 
 /// Sums up the colours of stale tiles, and lays out the lines that were found for them, from a line on.
 void LineTiles::settle(const Lattice& lattice, const std::vector<Rgba>& colours, std::size_t first_line) {
-  const auto for_each_stale = [&](const auto& visit) {
-    for (int y = 0, row = 0; y < height_; ++y, row += width_) {
-      if (are_zero(is_stale_.data() + row, width_)) continue;
-      for (int x = 0; x < width_; ++x) {
-        if (is_stale_[row + x] != 0) visit(x, y, row + x);
-      }
-    }
-  };
   auto next = static_cast<std::uint32_t>(first_line);
-  for_each_stale([&](int x, int y, int i) {
-    const TileColour west =
-        x == 0 ? encode(colours[lattice.pixel(0, y)], linear_light_) : tiles_[i - 1].colour;
-    tiles_[i].colour = sum(west, tiles_[i].colour);
-    tiles_[i].first = next;
-    next += tiles_[i].count;
-  });
+  for (int y = 0, row = 0; y < height_; ++y, row += width_) {
+    if (are_zero(is_stale_.data() + row, width_)) continue;
+    TileColour colour = encode(colours[lattice.pixel(0, y)], linear_light_);
+    for (int i = row; i < row + width_; ++i) {
+      Tile& tile = tiles_[i];
+      colour = is_stale_[i] != 0 ? sum(colour, tile.colour) : tile.colour;
+      if (is_stale_[i] == 0) continue;
+      tile.colour = colour;
+      next += tile.count;
+      tile.first = next;
+    }
+  }
   lines_.resize(next);
   used_lines_ += found_.size();
-  // Each is the next of its tile's; so the first ones move, and are put back.
-  for (const Found& found : found_) lines_[tiles_[found.tile].first++] = found.line;
-  for_each_stale([&](int, int, int i) { tiles_[i].first -= tiles_[i].count; });
+  // From the back: `first` is a tile's end at first.
+  for (auto found = found_.rbegin(); found != found_.rend(); ++found) {
+    lines_[--tiles_[found->tile].first] = found->line;
+  }
 }
 
 void LineTiles::compact() {
