@@ -61,14 +61,13 @@ class GlFilter final : public FrameFilter {
     if (!raster) return tl::unexpected(raster.error());
     if (auto error = take_error(gl_)) return tl::unexpected(*error);
     raster_ = std::move(*raster);
-    uploaded_ = false;
+    is_uploaded_ = false;
     return {};
   }
 
   tl::expected<void, Error> submit(const FrameView& frame, const Options& options) override {
-    const bool is_light_same = options.linear_light == options_.linear_light;
     auto submitted = FrameFilter::submit(frame, options);
-    if (vectorizer_.changes().any() || !is_light_same) uploaded_ = false;
+    if (has_frame_) changes_.add(vectorizer_.changes());
     return submitted;
   }
 
@@ -86,13 +85,20 @@ class GlFilter final : public FrameFilter {
     stats_.upload_bytes = 0;
     take_error(gl_);  // the host's
     const GlStateGuard guard(gl_);
-    if (auto prepared = prepare({view.scale_x, view.scale_y}); !prepared) return prepared;
+    const glm::dvec2 scale(view.scale_x, view.scale_y);
+    if (auto prepared = prepare(scale); !prepared) return prepared;
+    if (is_checking_) {
+      if (auto compared = compare_with_scratch(scale); !compared) return compared;
+    }
     const Stopwatch time(stats_.draw_ns);
     const PictureView* picture = picture_of(target);
     auto drawn = picture != nullptr ? draw_to_picture(*picture, viewport, view)
                                     : draw_to(std::get<GlFramebuffer>(target), viewport, view);
     if (!drawn) return drawn;
-    if (auto error = take_error(gl_)) return tl::unexpected(*error);
+    if (auto error = take_error(gl_)) {
+      is_uploaded_ = false;  // who knows what was refused
+      return tl::unexpected(*error);
+    }
     return {};
   }
 
@@ -103,18 +109,29 @@ class GlFilter final : public FrameFilter {
   }
 
  private:
-  /// Cuts the map to tiles and sends them, where frame or scale are new.
+  /// Cuts tiles of the map and sends them: those that changed, or all where the scale is new.
   tl::expected<void, Error> prepare(glm::dvec2 scale) {
-    if (uploaded_ && scale == scale_) return {};
+    const bool is_cut = !changes_.any() && updater_.is_for(scale, options_.linear_light);
+    if (is_cut && is_uploaded_) return {};
     const Stopwatch time(stats_.prepare_ns);
-    tiles_.build(vectorizer_.map(), scale, options_.linear_light);
-    const auto bytes = raster_->upload(tiles_);
+    if (!is_cut) {
+      updater_.update(vectorizer_, changes_, scale, options_.linear_light);
+      changes_.set_nothing();
+      if (!raster_->has_room_for(updater_.tiles())) updater_.compact();
+    }
+    const auto bytes = is_uploaded_ ? raster_->upload_new(updater_) : raster_->upload(updater_.tiles());
+    is_uploaded_ = bytes.has_value();
     if (!bytes) return tl::unexpected(bytes.error());
-    stats_.lines = static_cast<std::int64_t>(tiles_.lines().size());
+    stats_.lines = static_cast<std::int64_t>(updater_.tiles().used_lines());
     stats_.upload_bytes = *bytes;
-    scale_ = scale;
-    uploaded_ = true;
     return {};
+  }
+
+  tl::expected<void, Error> compare_with_scratch(glm::dvec2 scale) const {
+    LineTiles scratch;
+    scratch.build(vectorizer_.map(), scale, options_.linear_light);
+    if (scratch == updater_.tiles()) return {};
+    return tl::unexpected(Error{"The tiles that were cut incrementally are not those cut from scratch."});
   }
 
   tl::expected<void, Error> draw_to(const GlFramebuffer& framebuffer, const Viewport& viewport,
@@ -137,9 +154,9 @@ class GlFilter final : public FrameFilter {
   GladGLContext gl_{};
   std::optional<GlRaster> raster_;
   Readback readback_;
-  LineTiles tiles_;
-  bool uploaded_ = false;
-  glm::dvec2 scale_{0, 0};  ///< that the uploaded lines were flattened for
+  LineTilesUpdater updater_;
+  MapChanges changes_;        ///< since the last update of tiles
+  bool is_uploaded_ = false;  ///< the context holds all tiles, as of the last update
 };
 
 }  // namespace

@@ -54,14 +54,20 @@ tl::expected<GlRaster::Program, Error> GlRaster::link(const GladGLContext& gl, b
                  location("to_full_strength")};
 }
 
-tl::expected<std::size_t, Error> GlRaster::upload(const LineTiles& tiles) {
+bool GlRaster::has_room_for(const LineTiles& tiles) const {
   const auto max_lines = std::size_t{RecordTexture::kColumns} * static_cast<std::size_t>(max_texture_size_);
-  if (tiles.width() > max_texture_size_ || tiles.height() > max_texture_size_ ||
-      tiles.lines().size() > max_lines) {
-    return tl::unexpected(Error{fmt::format(
-        "A frame of {} x {} pixels and {} lines is too large for this OpenGL, whose textures have {} a side.",
-        tiles.width(), tiles.height(), tiles.lines().size(), max_texture_size_)});
-  }
+  return tiles.width() <= max_texture_size_ && tiles.height() <= max_texture_size_ &&
+         tiles.lines().size() <= max_lines;
+}
+
+tl::unexpected<Error> GlRaster::refuse(const LineTiles& tiles) const {
+  return tl::unexpected(Error{fmt::format(
+      "A frame of {} x {} pixels and {} lines is too large for this OpenGL, whose textures have {} a side.",
+      tiles.width(), tiles.height(), tiles.lines().size(), max_texture_size_)});
+}
+
+tl::expected<std::size_t, Error> GlRaster::upload(const LineTiles& tiles) {
+  if (!has_room_for(tiles)) return refuse(tiles);
   frame_width_ = tiles.width();
   frame_height_ = tiles.height();
   use_unit(*gl_, kTilesUnit);
@@ -69,6 +75,20 @@ tl::expected<std::size_t, Error> GlRaster::upload(const LineTiles& tiles) {
       tiles_.upload(*gl_, std::as_bytes(std::span(tiles.tiles())), frame_width_, frame_height_);
   use_unit(*gl_, kLinesUnit);
   bytes += lines_.upload(*gl_, std::as_bytes(std::span(tiles.lines())));
+  return bytes;
+}
+
+tl::expected<std::size_t, Error> GlRaster::upload_new(const LineTilesUpdater& updater) {
+  const LineTiles& tiles = updater.tiles();
+  if (updater.is_all_new()) return upload(tiles);
+  if (!has_room_for(tiles)) return refuse(tiles);
+  std::size_t bytes = 0;
+  use_unit(*gl_, kTilesUnit);
+  for (const TileBox& box : updater.new_boxes()) {
+    bytes += tiles_.upload_box(*gl_, std::as_bytes(std::span(tiles.tiles())), box);
+  }
+  use_unit(*gl_, kLinesUnit);
+  bytes += lines_.upload(*gl_, std::as_bytes(std::span(tiles.lines())), updater.first_new_line());
   return bytes;
 }
 

@@ -6,7 +6,7 @@
 #include "filter/frame_filter.hpp"
 #include "filter/gl/gl_object.hpp"
 #include "filter/gl/record_texture.hpp"
-#include "libdepixel/raster/line_tiles.hpp"
+#include "libdepixel/incremental/line_tiles_updater.hpp"
 
 namespace depixel {
 
@@ -16,8 +16,12 @@ class GlRaster {
  public:
   static tl::expected<GlRaster, Error> create(const GladGLContext& gl);
 
+  /// Whether textures can hold all records of some tiles.
+  bool has_room_for(const LineTiles& tiles) const;
   /// Sends a map's tiles, to be drawn from now on. \return the bytes sent.
   tl::expected<std::size_t, Error> upload(const LineTiles& tiles);
+  /// Sends what the last update of tiles wrote; all else was sent before.
+  tl::expected<std::size_t, Error> upload_new(const LineTilesUpdater& updater);
 
   /// Draws a view of the tiles to the framebuffer that is bound for drawing.
   void draw(const Viewport& viewport, const View& view, bool linear_light);
@@ -33,6 +37,7 @@ class GlRaster {
     GlProgram object;
     GLint frame_size, viewport, origin_tile, origin, box_size, to_full_strength;
   };
+  tl::unexpected<Error> refuse(const LineTiles& tiles) const;
   static tl::expected<Program, Error> link(const GladGLContext& gl, bool linear_light);
 
   const GladGLContext* gl_;

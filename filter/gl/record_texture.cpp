@@ -8,9 +8,9 @@ namespace {
 constexpr std::size_t kRecordBytes = 16;
 constexpr int kRowsAtOnce = 64;  ///< a growing texture's height is a multiple of this, and half as much again
 
-void send(const GladGLContext& gl, int y, int width, int height, const std::byte* from) {
+void send(const GladGLContext& gl, int x, int y, int width, int height, const std::byte* from) {
   if (width > 0 && height > 0) {
-    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, y, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, from);
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, x, y, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, from);
   }
 }
 
@@ -33,27 +33,43 @@ void RecordTexture::reserve(const GladGLContext& gl, int width, int height) {
   height_ = height;
 }
 
-std::size_t RecordTexture::upload(const GladGLContext& gl, std::span<const std::byte> records) {
+std::size_t RecordTexture::upload(const GladGLContext& gl, std::span<const std::byte> records,
+                                  std::size_t first) {
   const auto count = static_cast<int>(records.size() / kRecordBytes);
-  const int full_rows = count / kColumns, rest = count % kColumns;
-  const int rows = full_rows + (rest > 0 ? 1 : 0);
+  const int rows = (count + kColumns - 1) / kColumns;
   if (rows > height_ || !texture_) {
     const int grown = (rows + rows / 2) / kRowsAtOnce * kRowsAtOnce + kRowsAtOnce;
     reserve(gl, kColumns, std::max(rows, std::min(grown, max_rows_)));
+    first = 0;
   } else {
     gl.BindTexture(GL_TEXTURE_2D, texture_.name());
   }
-  send(gl, 0, kColumns, full_rows, records.data());
-  send(gl, full_rows, rest, 1, records.data() + std::size_t(full_rows) * kColumns * kRecordBytes);
-  return records.size();
+  // The rest of a row, whole rows, the beginning of a row.
+  for (int i = static_cast<int>(first); i < count;) {
+    const int width = std::min(kColumns - i % kColumns, count - i);
+    const int height = width == kColumns ? (count - i) / kColumns : 1;
+    send(gl, i % kColumns, i / kColumns, width, height, records.data() + i * kRecordBytes);
+    i += width * height;
+  }
+  return records.size() - first * kRecordBytes;
 }
 
 std::size_t RecordTexture::upload(const GladGLContext& gl, std::span<const std::byte> records, int width,
                                   int height) {
   if (height != height_) width_ = 0;  // another picture: the texture is made anew
   reserve(gl, width, height);
-  send(gl, 0, width, height, records.data());
+  send(gl, 0, 0, width, height, records.data());
   return records.size();
+}
+
+std::size_t RecordTexture::upload_box(const GladGLContext& gl, std::span<const std::byte> records,
+                                      const TileBox& box) {
+  gl.BindTexture(GL_TEXTURE_2D, texture_.name());
+  const std::size_t first = std::size_t(box.north) * width_ + box.west;
+  gl.PixelStorei(GL_UNPACK_ROW_LENGTH, width_);
+  send(gl, box.west, box.north, box.width(), box.height(), records.data() + first * kRecordBytes);
+  gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+  return static_cast<std::size_t>(box.area()) * kRecordBytes;
 }
 
 }  // namespace depixel

@@ -23,6 +23,12 @@ TileColour encode(Rgba c, bool linear_light) {
   return {channel(c.r), channel(c.g), channel(c.b), static_cast<std::int16_t>(alpha)};
 }
 
+TileColour sum(const TileColour& a, const TileColour& b) {
+  TileColour result;
+  for (std::size_t i = 0; i < a.size(); ++i) result[i] = static_cast<std::int16_t>(a[i] + b[i]);
+  return result;
+}
+
 TileColour difference(const TileColour& a, const TileColour& b) {
   TileColour result;
   for (std::size_t i = 0; i < a.size(); ++i) result[i] = static_cast<std::int16_t>(a[i] - b[i]);
@@ -41,13 +47,19 @@ int meet(int a_across, int a_along, int b_across, int b_along, int level) {
 
 }  // namespace
 
-/// Cuts lines at the sides of tiles and files the pieces.
+/// Cuts lines at the sides of tiles and files the pieces of those that are stale.
 class LineTiles::Cutter {
  public:
-  Cutter(LineTiles& tiles, std::vector<Found>& found) : tiles_(tiles), found_(found) {}
+  explicit Cutter(LineTiles& tiles) : tiles_(tiles) {}
 
-  void set_change(const TileColour& change) { change_ = change; }
+  void cut(const Segment& s, Rgba left, Rgba right) {
+    change_ = difference(encode(left, tiles_.linear_light_), encode(right, tiles_.linear_light_));
+    const int pieces = flattening_pieces(s.p0, s.p1, s.p2, s.p3, tiles_.scale_);
+    flatten(s.p0 * kUnitsToSubpixel, s.p1 * kUnitsToSubpixel, s.p2 * kUnitsToSubpixel,
+            s.p3 * kUnitsToSubpixel, pieces, [&](glm::ivec2 a, glm::ivec2 b) { add(a, b); });
+  }
 
+ private:
   /// Cuts at the rows of tiles. A level line on a side belongs to either row: it changes neither.
   void add(glm::ivec2 a, glm::ivec2 b) {
     const int low = std::min(a.y, b.y), high = std::max(a.y, b.y);
@@ -68,7 +80,6 @@ class LineTiles::Cutter {
     }
   }
 
- private:
   /// Cuts at the columns of tiles. An upright line on a side belongs to the tile on its west.
   void add_in_row(glm::ivec2 a, glm::ivec2 b, int row) {
     const int low = std::min(a.x, b.x), high = std::max(a.x, b.x);
@@ -93,27 +104,24 @@ class LineTiles::Cutter {
     const glm::ivec2 corner(column << kShift, row << kShift);
     a -= corner;
     b -= corner;
+    const int tile = row * tiles_.width_ + column;
     // A line that comes from the tile's top changes the colour at the top left of all tiles to the east. It
     // is added to the next one here, and summed up at the end.
-    if (a.y != b.y && (a.y == 0 || b.y == 0) && column + 1 < tiles_.width_) {
-      TileColour& colour = tiles_.tiles_[std::size_t(row) * tiles_.width_ + column + 1].colour;
-      for (std::size_t i = 0; i < colour.size(); ++i) {
-        colour[i] = static_cast<std::int16_t>(a.y == 0 ? colour[i] + change_[i] : colour[i] - change_[i]);
-      }
+    if (a.y != b.y && (a.y == 0 || b.y == 0) && column + 1 < tiles_.width_ && tiles_.is_stale_[tile + 1]) {
+      TileColour& colour = tiles_.tiles_[tile + 1].colour;
+      colour = a.y == 0 ? sum(colour, change_) : difference(colour, change_);
     }
-    if (a.x == kTileUnits && b.x == kTileUnits) return;
+    if ((a.x == kTileUnits && b.x == kTileUnits) || tiles_.is_stale_[tile] == 0) return;
     // What meets the left side in the top left corner itself is part of the colour there already.
     if (a.x == 0 && a.y == 0) a.x = 1;
     if (b.x == 0 && b.y == 0) b.x = 1;
     if (a.y == b.y && a.x != 0 && b.x != 0) return;
     const auto narrow = [](int v) { return static_cast<std::uint16_t>(v); };
-    const int tile = row * tiles_.width_ + column;
     ++tiles_.tiles_[tile].count;
-    found_.push_back({tile, {narrow(a.x), narrow(a.y), narrow(b.x), narrow(b.y), change_}});
+    tiles_.found_.push_back({tile, {narrow(a.x), narrow(a.y), narrow(b.x), narrow(b.y), change_}});
   }
 
   LineTiles& tiles_;
-  std::vector<Found>& found_;
   TileColour change_{};
 };
 
@@ -121,36 +129,127 @@ void LineTiles::build(const PlanarMap& map, glm::dvec2 scale, bool linear_light)
   const Lattice& lattice = map.lattice;
   width_ = lattice.width();
   height_ = lattice.height();
+  scale_ = scale;
+  linear_light_ = linear_light;
   tiles_.assign(std::size_t(width_) * height_, Tile{});
+  is_stale_.assign(tiles_.size(), 1);
   found_.clear();
-  Cutter cutter(*this, found_);
-  for (const Segment& s : map.segments) {
-    cutter.set_change(
-        difference(encode(map.left_colour(s), linear_light), encode(map.right_colour(s), linear_light)));
-    const int pieces = flattening_pieces(s.p0, s.p1, s.p2, s.p3, scale);
-    flatten(s.p0 * kUnitsToSubpixel, s.p1 * kUnitsToSubpixel, s.p2 * kUnitsToSubpixel,
-            s.p3 * kUnitsToSubpixel, pieces, [&](glm::ivec2 a, glm::ivec2 b) { cutter.add(a, b); });
-  }
-  std::uint32_t first = 0;
+  used_lines_ = 0;
+  Cutter cutter(*this);
+  for (const Segment& s : map.segments) cutter.cut(s, map.left_colour(s), map.right_colour(s));
+  settle(lattice, map.colours, 0);
+}
+
+/// Moves tiles, and empties those that are to be cut.
+void LineTiles::start_update(const Lattice& lattice, const std::vector<std::uint8_t>& fates,
+                             const std::vector<glm::ivec2>& moves) {
+  is_near_.assign(lattice.size(), 0);
+  std::fill(is_stale_.begin(), is_stale_.end(), std::uint8_t{0});
+  if (!moves.empty()) tiles_before_ = tiles_;
   for (int y = 0; y < height_; ++y) {
-    TileColour colour = encode(map.colours[lattice.pixel(0, y)], linear_light);
+    const int first = lattice.pixel(0, y);
+    if (are_zero(fates.data() + first, width_)) continue;
     for (int x = 0; x < width_; ++x) {
-      Tile& tile = tiles_[std::size_t(y) * width_ + x];
-      for (std::size_t i = 0; i < colour.size(); ++i) {
-        colour[i] = static_cast<std::int16_t>(colour[i] + tile.colour[i]);
+      const std::uint8_t fate = fates[first + x];
+      if (fate == kKept) continue;
+      const int i = y * width_ + x;
+      used_lines_ -= tiles_[i].count;
+      if (fate == kCut) {
+        tiles_[i] = {};
+        is_stale_[i] = 1;
+        // Lines from the top of the tile on the west change the colour at the top left of this one.
+        is_near_[first + x - 1] = is_near_[first + x] = 1;
+      } else {
+        const glm::ivec2 move = moves[fate - kMoved];
+        tiles_[i] = tiles_before_[i - move.y * width_ - move.x];
+        used_lines_ += tiles_[i].count;
       }
-      tile.colour = colour;
-      tile.first = first;
-      first += tile.count;
     }
   }
-  lines_.resize(found_.size());
-  for (const Found& found : found_) lines_[tiles_[found.tile].first++] = found.line;
-  for (Tile& tile : tiles_) tile.first -= tile.count;
+}
+
+/// Cuts the edges that leave a row of corners, where they touch tiles that matter.
+void LineTiles::cut_near(int row, const EdgeMap& edges, const SplineTable& table,
+                         const std::vector<Rgba>& colours, Cutter& cutter) const {
+  const Lattice& lattice = edges.lattice;
+  const int stride = lattice.stride();
+  const std::uint8_t* near = is_near_.data() + lattice.pixel(0, row);
+  const auto is_row_far = [&](int y) { return are_zero(is_near_.data() + lattice.pixel(-1, y), width_ + 1); };
+  if (is_row_far(row - 1) && is_row_far(row) && is_row_far(row + 1)) return;
+  // The tiles round an edge's owner, as a TileMask has them.
+  constexpr unsigned kEastern = 0b100100100;
+  const auto eastern = [&](int x) {
+    return static_cast<unsigned>(near[x + 1 - stride] << 2 | near[x + 1] << 5 | near[x + 1 + stride] << 8);
+  };
+  unsigned wanted = eastern(-2) >> 1 | eastern(-1);
+  for (int x = 0; x <= width_; ++x) {
+    wanted = (wanted >> 1 & ~kEastern) | eastern(x);
+    if (wanted == 0) continue;
+    const int corner = lattice.corner(x, row);
+    for (const bool southwards : {false, true}) {
+      const int number = edges.curve[edge_slot(corner, southwards)];
+      if (number == 0 || (table.tiles(number) & wanted) == 0) continue;
+      const Segment s = segment_of(table.curve(number), {x, row}, corner, southwards, stride);
+      cutter.cut(s, colours[s.left], colours[s.right]);
+    }
+  }
+}
+
+void LineTiles::update(const EdgeMap& edges, const SplineTable& table, const std::vector<Rgba>& colours,
+                       const std::vector<std::uint8_t>& fates, const std::vector<glm::ivec2>& moves) {
+  start_update(edges.lattice, fates, moves);
+  found_.clear();
+  Cutter cutter(*this);
+  for (int row = 0; row <= height_; ++row) cut_near(row, edges, table, colours, cutter);
+  settle(edges.lattice, colours, lines_.size());
+}
+
+/// Sums up the colours of stale tiles, and lays out the lines that were found for them, from a line on.
+void LineTiles::settle(const Lattice& lattice, const std::vector<Rgba>& colours, std::size_t first_line) {
+  auto next = static_cast<std::uint32_t>(first_line);
+  for (int y = 0, row = 0; y < height_; ++y, row += width_) {
+    if (are_zero(is_stale_.data() + row, width_)) continue;
+    TileColour colour = encode(colours[lattice.pixel(0, y)], linear_light_);
+    for (int i = row; i < row + width_; ++i) {
+      Tile& tile = tiles_[i];
+      colour = is_stale_[i] != 0 ? sum(colour, tile.colour) : tile.colour;
+      if (is_stale_[i] == 0) continue;
+      tile.colour = colour;
+      next += tile.count;
+      tile.first = next;
+    }
+  }
+  lines_.resize(next);
+  used_lines_ += found_.size();
+  // From the back: `first` is a tile's end at first.
+  for (auto found = found_.rbegin(); found != found_.rend(); ++found) {
+    lines_[--tiles_[found->tile].first] = found->line;
+  }
+}
+
+void LineTiles::compact() {
+  spare_.resize(used_lines_);
+  std::uint32_t next = 0;
+  for (Tile& tile : tiles_) {
+    std::copy_n(lines_.begin() + tile.first, tile.count, spare_.begin() + next);
+    tile.first = next;
+    next += tile.count;
+  }
+  lines_.swap(spare_);
+}
+
+bool operator==(const LineTiles& a, const LineTiles& b) {
+  const auto is_same = [&](const Tile& tile, const Tile& other) {
+    const auto first = a.lines_.begin() + tile.first;
+    return tile.colour == other.colour && tile.count == other.count &&
+           std::equal(first, first + tile.count, b.lines_.begin() + other.first);
+  };
+  return a.width_ == b.width_ &&
+         std::equal(a.tiles_.begin(), a.tiles_.end(), b.tiles_.begin(), b.tiles_.end(), is_same);
 }
 
 std::size_t LineTiles::memory_bytes() const {
-  return held_bytes(tiles_, lines_, found_);
+  return held_bytes(tiles_, tiles_before_, lines_, spare_, found_, is_stale_, is_near_);
 }
 
 }  // namespace depixel

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "libdepixel/incremental/line_tiles_updater.hpp"
 #include "libdepixel/incremental/picture_updater.hpp"
 #include "libdepixel/pipeline/vectorizer.hpp"
 #include "libdepixel/raster/cpu_raster.hpp"
@@ -142,6 +143,26 @@ TEST_P(Allocation, NoneAnIncrementalFrameWhenWarm) {
     }
     EXPECT_EQ(moved_pixels > 0, scale == 3.0);
   }
+}
+
+TEST(Allocation, NoneAnUpdateOfTilesWhenWarm) {
+  constexpr int kWarm = 60, kFrames = 120;
+  Picture picture = frames()[0];
+  IncrementalVectorizer vectorizer;
+  LineTilesUpdater updater;
+  int partial = 0;
+  for (int frame = 0; frame < kFrames; ++frame) {
+    paste(picture, Picture(9, 9, palette_colour("#b"[frame % 2])), frame % 6 * 10, frame % 5 * 9);
+    vectorizer.vectorize(picture.view(), {});
+    vectorizer.map();
+    const long before = allocations;
+    updater.update(vectorizer, vectorizer.changes(), {4, 4}, false);
+    const long updated = allocations;
+    if (frame < kWarm) continue;
+    EXPECT_EQ(updated - before, 0) << "updating for frame " << frame;
+    partial += updater.is_all_new() ? 0 : 1;
+  }
+  EXPECT_GT(partial, (kFrames - kWarm) / 2);
 }
 
 std::vector<Options> exact_options() {

@@ -9,7 +9,7 @@
 
 #include "libdepixel/raster/cpu_raster.hpp"
 #include "tests/filter/gl_fixture.hpp"
-#include "tests/support/random_pictures.hpp"
+#include "tests/support/random_sequences.hpp"
 #include "tests/support/test_pictures.hpp"
 
 namespace depixel::test {
@@ -131,6 +131,100 @@ TEST_P(GlFilterOn, SharesAContextWithAnother) {
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(mismatch(*one, *cpu_one, {9, 9, 0, 0}, 18, 18, kTolerance), "");
     EXPECT_EQ(mismatch(*two, *cpu_two, {9, 9, 0, 0}, 27, 27, kTolerance), "");
+  }
+}
+
+TEST_P(GlFilterOn, DrawsSequencesAsAFreshFilterDoes) {
+  const GlContext context(GetParam());
+  constexpr int kSequences = 12;
+  const auto gl = gl_filter(context);
+  for (unsigned seed = 0; seed < kSequences; ++seed) {
+    const Sequence sequence = fixed_sequence(seed, {.max_width = 60, .max_height = 40, .steps = 12});
+    for (std::size_t i = 0; i < sequence.frames.size(); ++i) {
+      const SequenceFrame& frame = sequence.frames[i];
+      ASSERT_TRUE(gl->submit(frame.picture.view(), frame.options));
+      if (i % 5 == 3) continue;  // two frames between two pictures
+      gl->check_incremental(true);
+      const View view{seed % 2 == 0 ? 4.0 : 2.3, 3, double(i) / 4, 0};
+      const Picture actual = drawn(*gl, view, 150, 110);
+      gl->check_incremental(false);
+      const auto fresh = gl_filter(context);
+      ASSERT_TRUE(fresh->submit(frame.picture.view(), frame.options));
+      ASSERT_TRUE(actual == drawn(*fresh, view, 150, 110)) << "sequence " << seed << ", frame " << i;
+    }
+  }
+}
+
+TEST_P(GlFilterOn, SendsOnlyWhatChanged) {
+  const GlContext context(GetParam());
+  const auto gl = gl_filter(context);
+  Picture picture = load_picture(data_folder() / "frames" / "alex4_0036.png");
+  const auto sent = [&](double scale = 3) {
+    EXPECT_TRUE(gl->submit(picture.view(), {}));
+    const Picture actual = drawn(*gl, {scale, 3, 0, 0}, 400, 300);
+    const std::size_t bytes = gl->stats().upload_bytes;
+    const auto fresh = gl_filter(context);
+    EXPECT_TRUE(fresh->submit(picture.view(), {}));
+    EXPECT_TRUE(actual == drawn(*fresh, {scale, 3, 0, 0}, 400, 300));
+    return bytes;
+  };
+  const std::size_t all = sent();
+  EXPECT_GE(all, 16 * picture.pixels.size());
+  EXPECT_EQ(sent(), 0u);
+  EXPECT_EQ(gl->stats().prepare_ns, 0);
+  paste(picture, Picture(3, 3, palette_colour('r')), 70, 50);
+  const std::size_t little = sent();
+  EXPECT_GT(little, 0u);
+  EXPECT_LT(20 * little, all);
+  EXPECT_GE(sent(4), 16 * picture.pixels.size());
+}
+
+/// New lines come after the others until most of them are nobody's; so textures grow on the way.
+TEST_P(GlFilterOn, DrawsWhatWasSentWhileTexturesGrew) {
+  constexpr int kSize = 244, kBlock = 61;
+  const GlContext context(GetParam());
+  const auto gl = gl_filter(context), fresh = gl_filter(context);
+  std::uint32_t state = 1;
+  const auto noise = [&](int size) {
+    Picture picture(size, size);
+    for (Rgba& c : picture.pixels) {
+      state = state * 1664525 + 1013904223;
+      c = palette_colour(".#rg"[state >> 30]);
+    }
+    return picture;
+  };
+  Picture picture = noise(kSize);
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  for (int frame = 0; frame < 24; ++frame) {
+    paste(picture, noise(kBlock), frame % 4 * kBlock, frame / 4 % 4 * kBlock);
+    for (const auto& filter : {gl.get(), fresh.get()}) ASSERT_TRUE(filter->submit(picture.view(), {}));
+    drawn(*fresh, {5, 5, 0, 0}, 1, 1);  // at another scale: next, it sends all
+    ASSERT_TRUE(drawn(*gl, {2, 2, 0, 0}, 400, 400) == drawn(*fresh, {2, 2, 0, 0}, 400, 400)) << frame;
+    least = std::min(least, gl->stats().upload_bytes);
+  }
+  EXPECT_LT(4 * least, fresh->stats().upload_bytes);
+}
+
+TEST_P(GlFilterOn, SendsAllAfterItsContextWasLost) {
+  auto first = std::make_unique<GlContext>(GetParam());
+  const auto gl = gl_filter(*first);
+  Picture picture = load_picture(data_folder() / "frames" / "alex4_0036.png");
+  ASSERT_TRUE(gl->submit(picture.view(), {}));
+  drawn(*gl, {3, 3, 0, 0}, 400, 300);
+  for (const bool is_changed : {false, true}) {
+    gl->context_lost();
+    auto second = std::make_unique<GlContext>(GetParam());
+    first = std::move(second);
+    ASSERT_TRUE(first->context->make_current());
+    if (is_changed) {
+      paste(picture, Picture(3, 3, palette_colour('r')), 70, 50);
+      ASSERT_TRUE(gl->submit(picture.view(), {}));
+    }
+    const Picture actual = drawn(*gl, {3, 3, 0, 0}, 400, 300);
+    EXPECT_GE(gl->stats().upload_bytes, 16 * picture.pixels.size());
+    const auto fresh = gl_filter(*first);
+    ASSERT_TRUE(fresh->submit(picture.view(), {}));
+    EXPECT_TRUE(actual == drawn(*fresh, {3, 3, 0, 0}, 400, 300)) << is_changed;
   }
 }
 
