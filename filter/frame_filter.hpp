@@ -99,6 +99,9 @@ class FrameFilter {
   const FilterStats& stats() const { return stats_; }
 
  protected:
+  /// \param rules  all, but in tests of what is told of errors.
+  explicit FrameFilter(RuleSet rules = {}) : vectorizer_(rules) {}
+
   /// Whether submit() takes a frame.
   static bool has_pixels(const FrameView& frame);
   /// Checks what draw() is asked for.

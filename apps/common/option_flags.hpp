@@ -16,6 +16,10 @@ struct OutputSize {
   int width = 0, height = 0;
 };
 
+/// What programs say of --check-incremental.
+inline constexpr std::string_view kCheckIncrementalHelp =
+    "Compare every frame with one made from scratch; for finding errors";
+
 /// Adds a flag for every row of the option table; parsing then writes to `options`, which must outlive the
 /// app.
 void add_option_flags(CLI::App& app, Options& options);

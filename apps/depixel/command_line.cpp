@@ -60,6 +60,7 @@ void add_backend_flags(CLI::App& app, Arguments& arguments) {
 
 void add_report_flags(CLI::App& app, Arguments& arguments) {
   app.add_flag("--verify", arguments.verify, "Fail if a pixel lost the colour at its centre");
+  app.add_flag("--check-incremental", arguments.check_incremental, std::string(kCheckIncrementalHelp));
   const std::string stats_help =
       "Counts and times, as a table on standard error or (=json) on standard output";
   app.add_flag("--stats{table}", stats_help)->each([&](const std::string& form) {

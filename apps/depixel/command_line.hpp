@@ -28,6 +28,7 @@ struct Arguments {
   Backend backend = Backend::cpu;
   std::optional<ContextKind> context;  ///< with Backend::gl only; none: whichever can be had
   bool verify = false;
+  bool check_incremental = false;
   StatsForm stats = StatsForm::none;
   bool quiet = false;
 };

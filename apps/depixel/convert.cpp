@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "apps/common/about_frame.hpp"
 #include "apps/common/exit_codes.hpp"
 #include "apps/common/files.hpp"
 #include "apps/common/frame_source.hpp"
@@ -74,7 +75,10 @@ class Conversion {
  private:
   tl::expected<void, Error> convert_one(const NamedFrame& frame, Outputs& outputs) {
     const auto file = renderer_.render(frame.picture.view(), outputs.format(), stats_);
-    if (!file) return tl::unexpected(file.error());
+    if (!file) {
+      return tl::unexpected(arguments_.check_incremental ? about_frame(frame.name, file.error())
+                                                         : file.error());
+    }
     if (arguments_.verify) verification_.add(renderer_.verify(), frame.name);
     const Stopwatch writing(stats_.write_ns);
     return outputs.write(frame.name, *file);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "apps/common/draw_kept.hpp"
 #include "apps/common/encode_png.hpp"
 #include "apps/common/files.hpp"
 #include "apps/common/limits.hpp"
@@ -41,15 +42,21 @@ tl::expected<Renderer, Error> Renderer::create(const Arguments& arguments) {
   Renderer renderer(arguments);
   if (arguments.backend == Backend::cpu) {
     renderer.filter_ = FrameFilter::cpu();
-    return renderer;
+  } else if (auto started = renderer.start_gl(); !started) {
+    return tl::unexpected(started.error());
   }
-  auto context = HeadlessContext::create(arguments.context);
-  if (!context) return tl::unexpected(context.error());
-  renderer.context_ = std::move(*context);
-  auto filter = FrameFilter::gl(renderer.context_->loader());
-  if (!filter) return tl::unexpected(filter.error());
-  renderer.filter_ = std::move(*filter);
+  renderer.filter_->check_incremental(arguments.check_incremental);
   return renderer;
+}
+
+tl::expected<void, Error> Renderer::start_gl() {
+  auto context = HeadlessContext::create(arguments_->context);
+  if (!context) return tl::unexpected(context.error());
+  context_ = std::move(*context);
+  auto filter = FrameFilter::gl(context_->loader());
+  if (!filter) return tl::unexpected(filter.error());
+  filter_ = std::move(*filter);
+  return {};
 }
 
 tl::expected<File, Error> Renderer::render(const FrameView& frame, Format format, RunStats& stats) {
@@ -59,7 +66,7 @@ tl::expected<File, Error> Renderer::render(const FrameView& frame, Format format
   if (auto submitted = filter_->submit(frame, arguments_->options); !submitted) {
     return tl::unexpected(submitted.error());
   }
-  stats.add(filter_->vectorizer().stats());
+  stats.add_vectorized(filter_->vectorizer().stats());
   if (format == Format::svg) {
     const Stopwatch drawing(stats.draw_ns);
     const std::string svg = draw_svg(frame);
@@ -70,6 +77,7 @@ tl::expected<File, Error> Renderer::render(const FrameView& frame, Format format
     const Stopwatch drawing(stats.draw_ns);
     if (auto drawn = draw_picture(frame, *size); !drawn) return tl::unexpected(drawn.error());
   }
+  stats.work.add_drawn(filter_->stats());
   const Stopwatch writing(stats.write_ns);
   File png = encode_png(picture_.view());
   if (png.empty()) return tl::unexpected(Error{"There is not enough memory to write the picture."});
@@ -84,14 +92,13 @@ std::string Renderer::draw_svg(const FrameView& frame) const {
 }
 
 tl::expected<void, Error> Renderer::draw_picture(const FrameView& frame, OutputSize size) {
-  picture_.resize(size.width, size.height);
   if (arguments_->stage) {
+    picture_.resize(size.width, size.height);
     paint_stage(make_stage_drawing(*arguments_->stage, frame, arguments_->options), picture_.target());
     return {};
   }
-  const Lattice& lattice = filter_->vectorizer().lattice();
-  return filter_->draw(picture_.target(), {0, 0, size.width, size.height},
-                       View::fit(lattice, size.width, size.height));
+  // Where no stage is drawn, nobody but the filter writes to the picture.
+  return draw_kept(*filter_, picture_, size.width, size.height);
 }
 
 }  // namespace depixel

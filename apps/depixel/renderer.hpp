@@ -34,6 +34,7 @@ class Renderer {
 
  private:
   explicit Renderer(const Arguments& arguments) : arguments_(&arguments) {}
+  tl::expected<void, Error> start_gl();
   std::string draw_svg(const FrameView& frame) const;
   tl::expected<void, Error> draw_picture(const FrameView& frame, OutputSize size);
 

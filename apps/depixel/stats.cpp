@@ -20,11 +20,6 @@ std::int64_t peak_bytes() {
 
 using Rows = std::vector<std::pair<std::string_view, std::int64_t>>;
 
-Rows count_rows(const RunStats& s) {
-  return {{"frames", s.frames},     {"pixels", s.pixels}, {"crossings", s.crossings},
-          {"contours", s.contours}, {"nodes", s.nodes},   {"segments", s.segments}};
-}
-
 Rows time_rows(const RunStats& s) {
   Rows rows{{"read", s.read_ns}};
   for (std::size_t i = 0; i < s.stage_ns.size(); ++i)
@@ -43,13 +38,8 @@ double milliseconds(std::int64_t ns) {
 
 }  // namespace
 
-void RunStats::add(const VectorizeStats& frame) {
-  ++frames;
-  pixels += frame.pixels;
-  crossings += frame.crossings;
-  contours += frame.contours;
-  nodes += frame.nodes;
-  segments += frame.segments;
+void RunStats::add_vectorized(const VectorizeStats& frame) {
+  work.add_vectorized(frame);
   for (std::size_t i = 0; i < stage_ns.size(); ++i) stage_ns[i] += frame.stage_ns[i];
   vectorizer_bytes = std::max(vectorizer_bytes, frame.memory_bytes);
 }
@@ -57,22 +47,26 @@ void RunStats::add(const VectorizeStats& frame) {
 std::string stats_table(const RunStats& stats) {
   std::string table;
   const auto out = std::back_inserter(table);
-  for (const auto& [name, count] : count_rows(stats)) fmt::format_to(out, "{:<12}{:>12}\n", name, count);
+  const auto frames = double(std::max<std::int64_t>(stats.work.frames, 1));
+  for (const CountInfo& info : count_table()) {
+    const std::int64_t count = stats.work.*info.value;
+    fmt::format_to(out, "{:<20}{:>14}", info.label, count);
+    if (info.value != &WorkCounts::frames) fmt::format_to(out, "{:>16.1f} a frame", double(count) / frames);
+    table += '\n';
+  }
   for (const auto& [name, ns] : time_rows(stats)) {
     const double ms = milliseconds(ns);
-    fmt::format_to(out, "{:<12}{:>12.3f} ms{:>12.3f} ms a frame\n", name, ms,
-                   ms / double(std::max<std::int64_t>(stats.frames, 1)));
+    fmt::format_to(out, "{:<20}{:>14.3f} ms{:>13.3f} ms a frame\n", name, ms, ms / frames);
   }
   for (const auto& [name, bytes] : memory_rows(stats)) {
-    fmt::format_to(out, "{:<16}{:>8.1f} MiB\n", name.substr(0, name.find('_')), double(bytes) / (1 << 20));
+    fmt::format_to(out, "{:<20}{:>14.1f} MiB\n", name.substr(0, name.find('_')), double(bytes) / (1 << 20));
   }
   return table;
 }
 
 std::string stats_json(const RunStats& stats) {
-  std::string json = "{";
+  std::string json = "{" + json_members(stats.work) + ",";
   const auto out = std::back_inserter(json);
-  for (const auto& [name, count] : count_rows(stats)) fmt::format_to(out, "\"{}\":{},", name, count);
   for (const auto& [name, bytes] : memory_rows(stats)) fmt::format_to(out, "\"{}\":{},", name, bytes);
   json += "\"ms\":{";
   for (const auto& [name, ns] : time_rows(stats))

@@ -68,7 +68,9 @@ tl::expected<void, Error> Canvas::submit(const FrameView& frame, std::uint64_t s
   serial_ = serial;
   options_ = options;
   ++submissions_;
-  return filter_->submit(frame, options);
+  auto submitted = filter_->submit(frame, options);
+  counts_.add_vectorized(filter_->vectorizer().stats());
+  return submitted;
 }
 
 tl::expected<void, Error> Canvas::draw(glm::ivec2 window, const ViewControl& control,
@@ -93,12 +95,21 @@ tl::expected<void, Error> Canvas::draw(glm::ivec2 window, const ViewControl& con
 tl::expected<void, Error> Canvas::draw_filter(const PixelRect& part, const View& view) {
   if (is_opaque_) {
     const Viewport viewport{part.x, window_height_ - part.y - part.height, part.width, part.height};
-    return filter_->draw(GlFramebuffer{0}, viewport, view);
+    return draw_by_filter({0}, viewport, view);
   }
   offscreen_.resize({part.width, part.height});
-  auto drawn = filter_->draw(GlFramebuffer{offscreen_.name()}, {0, 0, part.width, part.height}, view);
+  auto drawn = draw_by_filter({offscreen_.name()}, {0, 0, part.width, part.height}, view);
   // A framebuffer's first row is its lowest.
   quads_.draw(offscreen_.texture(), {{0, 1}, {1, 0}}, part, window_height_, false);
+  return drawn;
+}
+
+tl::expected<void, Error> Canvas::draw_by_filter(GlFramebuffer target, const Viewport& viewport,
+                                                 const View& view) {
+  auto drawn = filter_->draw(target, viewport, view);
+  const FilterStats& stats = filter_->stats();
+  counts_.add_drawn(stats);
+  if (stats.prepare_ns > 0) prepared_ = stats;
   return drawn;
 }
 

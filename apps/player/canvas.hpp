@@ -7,6 +7,7 @@
 #include <optional>
 #include <tl/expected.hpp>
 
+#include "apps/common/work_counts.hpp"
 #include "apps/player/quad_painter.hpp"
 #include "apps/player/settings.hpp"
 #include "apps/player/stage_painter.hpp"
@@ -29,6 +30,9 @@ class Canvas {
   /// Takes a frame, which must stay until the next one is taken; does nothing if neither it nor the options
   /// changed. \param serial  another one for every other frame.
   tl::expected<void, Error> submit(const FrameView& frame, std::uint64_t serial, const Options& options);
+  /// Whether what is made of a frame is compared with what is made from scratch; a difference is an error of
+  /// submit() or draw(), after which all goes on.
+  void check_incremental(bool wanted) { filter_->check_incremental(wanted); }
   /// Forgets the frame.
   void clear();
 
@@ -42,11 +46,16 @@ class Canvas {
   /// How often a frame was vectorized: tells whether what was made from one is still true.
   std::uint64_t submissions() const { return submissions_; }
   std::int64_t stage_paint_ns() const { return stage_ns_; }
+  /// Of the last drawing for which lines and tiles were made and sent.
+  const FilterStats& prepared() const { return prepared_; }
+  /// Of all frames so far.
+  const WorkCounts& counts() const { return counts_; }
 
  private:
   Canvas(const GladGLContext& gl, std::unique_ptr<FrameFilter> filter, QuadPainter quads);
 
   tl::expected<void, Error> draw_filter(const PixelRect& part, const View& view);
+  tl::expected<void, Error> draw_by_filter(GlFramebuffer target, const Viewport& viewport, const View& view);
   void draw_stage(const PixelRect& part, const View& view, StageView stage);
   void draw_raw(const PixelRect& part, const View& view, RawSampling sampling);
   void draw_chequers(const PixelRect& part);
@@ -65,6 +74,8 @@ class Canvas {
   bool raw_is_uploaded_ = false;
   int window_height_ = 0;
   std::int64_t stage_ns_ = 0;
+  FilterStats prepared_;
+  WorkCounts counts_;
 };
 
 /// Where the divider of a split view stands: the visible part's left side and right side of it.

@@ -26,7 +26,9 @@ void add_test_flags(CLI::App& app, PlayerArguments& arguments) {
       ->needs(frames);
   app.add_flag("--hide-ui", arguments.hide_ui, "Nothing but the picture in the window");
   app.add_flag("--no-config", arguments.no_config, "Neither use nor save settings");
-  app.add_flag("--stats", arguments.print_stats, "At the end, frame times as JSON on standard output");
+  app.add_flag("--stats", arguments.print_stats,
+               "At the end, frame times and counts as JSON on standard output");
+  app.add_flag("--check-incremental", arguments.check_incremental, std::string(kCheckIncrementalHelp));
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ struct PlayerArguments {
   bool hide_ui = false;
   bool no_config = false;
   bool print_stats = false;
+  bool check_incremental = false;
 };
 
 /// Reads the command line over remembered settings: options that are given replace those of the settings.

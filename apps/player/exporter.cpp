@@ -6,6 +6,8 @@
 #include <cmath>
 #include <system_error>
 
+#include "apps/common/about_frame.hpp"
+#include "apps/common/draw_kept.hpp"
 #include "apps/common/encode_png.hpp"
 #include "apps/common/files.hpp"
 #include "apps/common/limits.hpp"
@@ -45,26 +47,26 @@ tl::expected<bool, Error> Exporter::write_next(Clip& clip) {
   if (!clip.has_frame(index)) return true;
   const auto frame = clip.frame(index);
   if (!frame) return tl::unexpected(frame.error());
-  const Picture& source = (*frame)->picture;
+  if (auto written = write(**frame); !written) {
+    return tl::unexpected(about_frame((*frame)->name, written.error()));
+  }
+  next_ = index + 1;
+  ++written_;
+  return true;
+}
+
+tl::expected<void, Error> Exporter::write(const ClipFrame& frame) {
+  const Picture& source = frame.picture;
   const double width = std::round(source.width() * scale_.x), height = std::round(source.height() * scale_.y);
   if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide ||
       width * height > double(kMaxOutputPixels)) {
     return tl::unexpected(Error{fmt::format("Pictures of {} x {} pixels cannot be written.", width, height)});
   }
-  picture_.resize(static_cast<int>(width), static_cast<int>(height));
-  if (auto submitted = filter_->submit(source.view(), options_); !submitted)
-    return tl::unexpected(submitted.error());
-  const View view = View::fit(filter_->vectorizer().map().lattice, picture_.width(), picture_.height());
-  if (auto drawn = filter_->draw(picture_.target(), {0, 0, picture_.width(), picture_.height()}, view);
-      !drawn) {
-    return tl::unexpected(drawn.error());
+  if (auto submitted = filter_->submit(source.view(), options_); !submitted) return submitted;
+  if (auto drawn = draw_kept(*filter_, picture_, static_cast<int>(width), static_cast<int>(height)); !drawn) {
+    return drawn;
   }
-  const auto png = encode_png(picture_.view());
-  if (auto saved = write_file(unused_path(folder_, (*frame)->name, ".png"), png); !saved)
-    return tl::unexpected(saved.error());
-  next_ = index + 1;
-  ++written_;
-  return true;
+  return write_file(unused_path(folder_, frame.name, ".png"), encode_png(picture_.view()));
 }
 
 }  // namespace depixel

@@ -25,13 +25,20 @@ class Exporter {
   static tl::expected<Exporter, Error> start(const std::filesystem::path& folder, const Options& options,
                                              glm::dvec2 scale);
 
+  /// Whether every picture is compared with one made from scratch; a difference ends the export.
+  void check_incremental(bool wanted) { filter_->check_incremental(wanted); }
+
   /// Writes the next frame, if it has come. \return whether there may be more.
   tl::expected<bool, Error> write_next(Clip& clip);
 
   const std::filesystem::path& folder() const { return folder_; }
   int written() const { return written_; }
+  /// Of the picture written last.
+  const FilterStats& stats() const { return filter_->stats(); }
 
  private:
+  tl::expected<void, Error> write(const ClipFrame& frame);
+
   std::filesystem::path folder_;
   Options options_;
   glm::dvec2 scale_{1, 1};

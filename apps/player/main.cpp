@@ -57,6 +57,7 @@ class Session {
       if (player_.failure() && !arguments_.inputs.empty()) return tl::unexpected(*player_.failure());
       if (!must_draw() && !is_counting) continue;
       if (auto drawn = draw(); !drawn) return drawn;
+      if (is_counting && player_.difference()) return tl::unexpected(*player_.difference());
       shown += player_.frame() != nullptr ? 1 : 0;
       const bool is_last = is_counting && shown == arguments_.frames;
       if (is_last && !arguments_.screenshot.empty()) {
@@ -116,6 +117,7 @@ class Session {
     player_.view.set_area({0, 0, pixels(area.width), pixels(area.height)});
     if (arguments_.scale && !std::exchange(has_scale_, true)) player_.view.set_scale(*arguments_.scale);
 
+    if (auto taken = player_.vectorize(); !taken) return taken;
     window_.begin_ui();
     if (!arguments_.hide_ui) {
       pointer_.handle(player_, ratio);
@@ -162,8 +164,9 @@ void print_stats(const Player& player) {
   const double median = player.history.median_work_ms();
   fmt::print(
       "{{\"frames\": {}, \"median_frame_ms\": {:.3f}, \"frames_a_second\": {:.1f}, \"last_vectorize_ms\": "
-      "{:.3f}}}\n",
-      player.history.frames(), median, median > 0 ? 1000 / median : 0.0, double(vectorize_ns) * 1e-6);
+      "{:.3f}, \"counts\": {{{}}}}}\n",
+      player.history.frames(), median, median > 0 ? 1000 / median : 0.0, double(vectorize_ns) * 1e-6,
+      json_members(player.canvas().counts()));
 }
 
 int play(const PlayerArguments& arguments, Settings settings,
@@ -178,6 +181,7 @@ int play(const PlayerArguments& arguments, Settings settings,
   if (!canvas) return fail(canvas.error());
   Player player(std::move(settings), std::move(*canvas));
   player.stage = arguments.stage;
+  player.check_incremental(arguments.check_incremental);
   if (!arguments.inputs.empty()) {
     if (auto opened = player.open(arguments.inputs); !opened) return fail(opened.error());
   } else if (arguments.frames > 0) {

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "apps/common/about_frame.hpp"
 #include "apps/common/encode_png.hpp"
 #include "apps/common/files.hpp"
 #include "libdepixel/svg/svg_writer.hpp"
@@ -14,15 +15,6 @@ namespace depixel {
 namespace {
 
 namespace fs = std::filesystem;
-
-int count_changed(const Picture& a, const Picture& b) {
-  if (a.width() != b.width() || a.height() != b.height()) return static_cast<int>(b.pixel_count());
-  int changed = 0;
-  for (int y = 0; y < a.height(); ++y) {
-    for (int x = 0; x < a.width(); ++x) changed += a.at(x, y) == b.at(x, y) ? 0 : 1;
-  }
-  return changed;
-}
 
 /// What a clip is called in the title, and what is written of it.
 std::string name_of(const std::vector<std::string>& inputs) {
@@ -134,17 +126,39 @@ void Player::take_frame() {
     if (!frame_) failure_ = frame.error();
     return;
   }
-  changed_pixels_ = frame_ ? count_changed(frame_->picture, (*frame)->picture) : 0;
   frame_ = std::move(*frame);
   view.set_source({frame_->picture.width(), frame_->picture.height()}, clip_->pixel_aspect().value_or(1));
   ++serial_;
 }
 
+tl::expected<void, Error> Player::vectorize() {
+  if (!frame_) return {};
+  auto taken = canvas_->submit(frame_->picture.view(), serial_, settings.options);
+  if (!taken && !tell_difference(taken.error())) return taken;
+  return {};
+}
+
 tl::expected<void, Error> Player::draw(glm::ivec2 window) {
-  if (frame_) {
-    if (auto taken = canvas_->submit(frame_->picture.view(), serial_, settings.options); !taken) return taken;
-  }
-  return canvas_->draw(window, view, settings.look, stage);
+  if (auto taken = vectorize(); !taken) return taken;  // once more: panels change options
+  auto drawn = canvas_->draw(window, view, settings.look, stage);
+  if (!drawn && !tell_difference(drawn.error())) return drawn;
+  return {};
+}
+
+void Player::check_incremental(bool wanted) {
+  is_checking_ = wanted;
+  canvas_->check_incremental(wanted);
+  if (exporter_) exporter_->check_incremental(wanted);
+}
+
+/// \return whether the error is one that is only told.
+bool Player::tell_difference(const Error& error) {
+  if (!is_checking_ || !frame_) return false;
+  const Error told = about_frame(frame_->name, error);
+  if (!difference_) difference_ = told;
+  differing_serial_ = serial_;
+  say(told.message);
+  return true;
 }
 
 void Player::set_speed(double speed) {
@@ -197,6 +211,7 @@ void Player::start_export() {
   }
   playback_.pause();
   exporter_ = std::move(*exporter);
+  exporter_->check_incremental(is_checking_);
 }
 
 void Player::cancel_export() {
@@ -212,7 +227,8 @@ void Player::say(std::string message) {
 }
 
 std::optional<FoundComponent> Player::component_at(glm::dvec2 point) {
-  if (!frame_) return std::nullopt;
+  // A map with an error need not be closed, and its outlines could lead nowhere.
+  if (!frame_ || differing_serial_ == serial_) return std::nullopt;
   const IncrementalVectorizer& vectorizer = canvas_->filter().vectorizer();
   components_.take(vectorizer.map(), vectorizer.graph(), canvas_->submissions());
   return components_.at(point);

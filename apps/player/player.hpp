@@ -39,9 +39,16 @@ class Player {
   /// Shows the next frame, whatever its time is, if it has come; after the last, the first of a clip that
   /// loops.
   void show_next();
+  /// Whether every frame, shown or exported, is compared with one made from scratch. Differences are told as
+  /// messages, and errors of drawing with them: nothing ends.
+  void check_incremental(bool wanted);
+  /// What was found so, first.
+  const std::optional<Error>& difference() const { return difference_; }
   /// Why there is not a single frame to show, if that is so.
   const std::optional<Error>& failure() const { return failure_; }
 
+  /// Vectorizes the frame, if it or the options are new; before that, nothing can be told of it.
+  tl::expected<void, Error> vectorize();
   /// Draws what is under the panels. \param window  pixels.
   tl::expected<void, Error> draw(glm::ivec2 window);
 
@@ -80,7 +87,6 @@ class Player {
   const ClipFrame* frame() const { return frame_.get(); }
   /// Another one for every other frame.
   std::uint64_t serial() const { return serial_; }
-  int changed_pixels() const { return changed_pixels_; }
   const Canvas& canvas() const { return *canvas_; }
   FrameHistory history;
 
@@ -90,6 +96,7 @@ class Player {
 
  private:
   void take_frame();
+  bool tell_difference(const Error& error);
   double seconds_of(int index) const;
 
   std::unique_ptr<Canvas> canvas_;
@@ -99,9 +106,11 @@ class Player {
   std::shared_ptr<const ClipFrame> frame_;
   int frame_index_ = -1;
   std::uint64_t serial_ = 0;
-  int changed_pixels_ = 0;
   ComponentFinder components_;
   std::optional<Error> failure_;
+  bool is_checking_ = false;
+  std::optional<Error> difference_;
+  std::optional<std::uint64_t> differing_serial_;
   std::optional<Exporter> exporter_;
   std::string message_;
   double message_seconds_ = 0;  ///< that it is still shown

@@ -113,6 +113,18 @@ void row(const char* name, const std::string& value) {
   ImGui::TextUnformatted(value.c_str());
 }
 
+/// What was done for the frame, and not for those before.
+void show_work(const VectorizeStats& stats) {
+  row("pixels", fmt::format("{} changed of {}", stats.changed_pixels, stats.pixels));
+  row("blocks", fmt::format("{} recomputed", stats.stale_corners));
+  row("contours", fmt::format("{} traced", stats.contours));
+  row("nodes", fmt::format("{} traced", stats.nodes));
+  row("arcs", fmt::format("{} traced", stats.arcs));
+  row("shapes", fmt::format("{} fitted, {} known", stats.fitted_shapes, stats.arcs - stats.fitted_shapes));
+  row("tiles", fmt::format("{} changed", stats.changed_tiles));
+  row("", fmt::format("{} moved", stats.moved_tiles));
+}
+
 void show_statistics(const Player& player) {
   const FrameHistory& history = player.history;
   const auto plot = history.plot();
@@ -126,7 +138,7 @@ void show_statistics(const Player& player) {
   }
   if (player.frame() == nullptr) return;
   const VectorizeStats& stats = player.canvas().filter().vectorizer().stats();
-  const FilterStats& filter = player.canvas().filter().stats();
+  const FilterStats& filter = player.canvas().prepared();
   const auto ms = [](std::int64_t ns) { return fmt::format("{:.2f} ms", double(ns) * 1e-6); };
   for (std::size_t i = 0; i < stats.stage_ns.size(); ++i) {
     row(std::string(VectorizeStats::kStageNames[i]).c_str(), ms(stats.stage_ns[i]));
@@ -134,9 +146,14 @@ void show_statistics(const Player& player) {
   row("tiles, upload", ms(filter.prepare_ns));
   row("uploaded", fmt::format("{:.2f} MB", double(filter.upload_bytes) * 1e-6));
   if (player.stage) row("painting", ms(player.canvas().stage_paint_ns()));
-  row("changed pixels", fmt::format("{} of {}", player.changed_pixels(), stats.pixels));
-  row("contours", fmt::format("{}, {} nodes", stats.contours, stats.nodes));
-  row("segments", fmt::format("{}, {} lines", stats.segments, filter.lines));
+  show_work(stats);
+  row("segments", fmt::format("{} in the map", stats.segments));
+  row("lines", fmt::format("{} in the tiles", filter.lines));
+  if (player.exporter() != nullptr) {
+    const FilterStats& written = player.exporter()->stats();
+    row("export", fmt::format("{} pixels drawn", written.drawn_pixels));
+    row("", fmt::format("{} moved", written.moved_pixels));
+  }
 }
 
 }  // namespace

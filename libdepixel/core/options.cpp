@@ -36,7 +36,7 @@ std::span<const OptionInfo> option_table() {
       {"island-weight", "Vote against cutting off a single pixel at a crossing",
        NumberOption{&Options::island_weight, 0.0, kMaxWeight}},
       {"linear-light", "Blend colours in linear light at edges", SwitchOption{&Options::linear_light}},
-      {"threads", "Threads to draw with", CountOption{&Options::threads, 1, kMaxThreads}},
+      {"threads", "Threads to vectorize and draw with", CountOption{&Options::threads, 1, kMaxThreads}},
   }};
   return kTable;
 }

@@ -54,7 +54,7 @@ void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& opt
                         table_.size() <= std::max(kFewestCurves, kCurvesAPixel * lattice.size());
   options_ = of_vectorizing(options);
   stats_.changed_pixels = stats_.stale_corners = stats_.changed_tiles = stats_.moved_tiles = 0;
-  stats_.contours = stats_.nodes = stats_.arcs = stats_.fitted_shapes = 0;
+  stats_.crossings = stats_.contours = stats_.nodes = stats_.arcs = stats_.fitted_shapes = 0;
   if (!is_known) forget(lattice);
   find_changed_pixels(frame, graph_, changed_pixels_);
   if (is_known && !changed_pixels_.any()) {
@@ -97,6 +97,7 @@ void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& opt
     changes_.everything = true;
   }
   count();
+  if (!is_known) stats_.changed_pixels = stats_.pixels;
   clock.finish(5);
 }
 

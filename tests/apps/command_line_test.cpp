@@ -138,8 +138,8 @@ TEST_F(CommandLine, HelpNamesEveryFlag) {
   for (const OptionInfo& option : option_table()) {
     EXPECT_NE(run.out.find(fmt::format("--{} ", option.name)), std::string::npos) << option.name;
   }
-  for (const char* flag :
-       {"--output", "--scale", "--size", "--stage", "--format", "--verify", "--stats", "--quiet"}) {
+  for (const char* flag : {"--output", "--scale", "--size", "--stage", "--format", "--verify",
+                           "--check-incremental", "--stats", "--quiet"}) {
     EXPECT_NE(run.out.find(flag), std::string::npos) << flag;
   }
 }
@@ -220,7 +220,9 @@ TEST_F(CommandLine, TellsStatsAsATable) {
   EXPECT_EQ(run.exit_code, 0);
   expect_size(run.out, 48, 32);
   for (const char* row :
-       {"pixels", "crossings", "contours", "nodes", "segments", "similarity", "draw", "peak"}) {
+       {"pixels", "pixels changed", "blocks recomputed", "crossings", "contours traced", "nodes traced",
+        "arcs traced", "shapes fitted", "arcs of known shape", "segments", "tiles changed", "tiles moved",
+        "output drawn", "output moved", "similarity", "draw", "peak"}) {
     EXPECT_NE(run.err.find(row), std::string::npos) << row;
   }
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <utility>
 
 #include "apps/common/decode.hpp"
 #include "apps/common/encode_png.hpp"
@@ -54,6 +55,25 @@ Picture sample_picture(int width, int height) {
     }
   }
   return picture;
+}
+
+std::vector<Picture> sample_frames(int width, int height, int count) {
+  constexpr int kStill = 4;  // every fourth frame is the one before
+  std::vector<Picture> frames;
+  for (int i = 0; i < count; ++i) {
+    const int time = i - (i + 1) / kStill;
+    Picture frame(width, height);
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const int u = x + 2 * time, dx = x - (3 + time), dy = y - (height / 2 + time % 3);
+        const bool disc = dx * dx + dy * dy < height;
+        const std::size_t colour = disc ? 1 : (u * u / 7 + 3 * y) % 16 < 5 ? 2 : (u + y / 2) % 11 < 3 ? 3 : 0;
+        set_pixel(frame, x, y, kPalette[colour]);
+      }
+    }
+    frames.push_back(std::move(frame));
+  }
+  return frames;
 }
 
 Picture plain_picture(int width, int height, Rgba colour) {

@@ -12,6 +12,8 @@ namespace depixel::test {
 
 /// A picture of some colours that differs everywhere from its own flips and turns.
 Picture sample_picture(int width, int height);
+/// Frames of a game: a world that scrolls, and a disc that moves over it; now and then nothing does.
+std::vector<Picture> sample_frames(int width, int height, int count);
 /// A picture of one colour.
 Picture plain_picture(int width, int height, Rgba colour);
 

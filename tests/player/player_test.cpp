@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <set>
 #include <string>
 
@@ -11,11 +12,20 @@ namespace depixel::test {
 namespace {
 
 constexpr std::string_view kName = "depixel-player";
+/// How the display is started. It would be reset, and refuse connections meanwhile, whenever its last client
+/// leaves; and clients come and go while the player starts.
+const char* const kServer = "-screen 0 800x600x24 -noreset";
 
 /// Runs the player on a display of its own.
 Ended run_player(std::vector<std::string> arguments, std::string_view standard_input = {}) {
-  arguments.insert(arguments.begin(), {"-a", "-s", "-screen 0 800x600x24", DEPIXEL_PLAYER, "--no-config"});
+  arguments.insert(arguments.begin(), {"-a", "-s", kServer, DEPIXEL_PLAYER, "--no-config"});
   return run_program(DEPIXEL_XVFB_RUN, arguments, standard_input);
+}
+
+/// Runs the player whose filter makes an error.
+Ended run_player_with_fault(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"-a", "-s", kServer, DEPIXEL_PLAYER_WITH_FAULT, "--no-config"});
+  return run_program(DEPIXEL_XVFB_RUN, arguments);
 }
 
 /// Runs a script on such a display; $player and $depixel are the programs.
@@ -28,7 +38,7 @@ Ended run_script(const std::string& script, const std::string& folder) {
       // Starts the player and waits until keys go to its window, which has drawn something.
       "start() { $player \"$@\" & until id=$(xdotool search --onlyvisible --class depixel-player); "
       "do sleep 0.02; done; xdotool windowfocus --sync $id; sleep 0.3; }; ";
-  return run_program(DEPIXEL_XVFB_RUN, {"-a", "-s", "-screen 0 800x600x24", "bash", "-c", head + script});
+  return run_program(DEPIXEL_XVFB_RUN, {"-a", "-s", kServer, "bash", "-c", head + script});
 }
 
 bool equal(const Picture& a, const Picture& b) {
@@ -165,6 +175,93 @@ TEST(Player, WritesVectorPicturesAndSequences) {
   ASSERT_EQ(ended.exit_code, 0) << ended.out << ended.err;
   EXPECT_EQ(folder.names("clip_depixel"), (std::vector<std::string>{"0.png", "1.png", "2.png"}));
   EXPECT_NE(read_text(folder / "0.svg").find("viewBox=\"0 0 8 8\""), std::string::npos);
+}
+
+/// Writes frames as clip/0.png and so on.
+std::vector<Picture> write_clip(const TemporaryFolder& folder) {
+  std::vector<Picture> frames = sample_frames(20, 15, 6);
+  std::filesystem::create_directory(folder / "clip");
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    write_text(folder / ("clip/" + std::to_string(i) + ".png"), png_of(frames[i]));
+  }
+  return frames;
+}
+
+TEST(Player, ExportsWhatTheCommandLineDrawsFrameByFrame) {
+  const TemporaryFolder folder;
+  const std::size_t count = write_clip(folder).size();
+  const Ended ended = run_script(
+      "start clip --no-config --hide-ui --size 400x300 --check-incremental; xdotool key e; await "
+      "clip_depixel/5.png; sleep 0.1; xdotool key q; wait",
+      folder.path().string());
+  ASSERT_EQ(ended.exit_code, 0) << ended.out << ended.err;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string name = std::to_string(i) + ".png";
+    const Ended alone = run_depixel({folder / ("clip/" + name), "-o", "-", "--size", "400x300"});
+    EXPECT_TRUE(read_text(folder / ("clip_depixel/" + name)) == alone.out) << name;
+  }
+}
+
+TEST(Player, MayStartUnderThePointer) {
+  const TemporaryFolder folder;
+  write_text(folder / "in.png", png_of(sample_picture(20, 15)));
+  const Ended ended =
+      run_script("xdotool mousemove 200 150; $player in.png --no-config --size 800x600 --frames 2",
+                 folder.path().string());
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+}
+
+/// The number that follows a key of a JSON object.
+long number_after(const std::string& json, const std::string& key) {
+  const auto at = json.find('"' + key + "\":");
+  return at == std::string::npos ? -1 : std::stol(json.substr(at + key.size() + 3));
+}
+
+TEST(Player, CountsOnlyWhatChanged) {
+  const TemporaryFolder folder;
+  write_clip(folder);
+  const Ended ended =
+      run_player({folder / "clip", "--size", "400x300", "--frames", "6", "--stats", "--check-incremental"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  const std::string counts = ended.out.substr(ended.out.find("\"counts\""));
+  EXPECT_EQ(number_after(counts, "frames"), 6);
+  EXPECT_EQ(number_after(counts, "pixels"), 6 * 300);
+  EXPECT_GT(number_after(counts, "changed_pixels"), 300);
+  EXPECT_LT(number_after(counts, "changed_pixels"), 6 * 300);
+  EXPECT_GT(number_after(counts, "upload_bytes"), 0);
+  EXPECT_EQ(number_after(counts, "drawn_pixels"), 0) << "by the processor";
+}
+
+TEST(Player, ChecksFramesAndFailsWhereTheyDiffer) {
+  const TemporaryFolder folder;
+  write_clip(folder);
+  const std::vector<std::string> few{folder / "clip", "--size", "400x300", "--frames", "6"};
+  EXPECT_EQ(run_player_with_fault(few).exit_code, 0) << "nobody looks";
+  std::vector<std::string> checked = few;
+  checked.emplace_back("--check-incremental");
+  const Ended found = run_player_with_fault(checked);
+  EXPECT_EQ(found.exit_code, 1);
+  EXPECT_TRUE(found.is_one_sentence(kName)) << found.err;
+  EXPECT_NE(found.err.find("Frame 1: The map"), std::string::npos) << found.err;
+}
+
+TEST(Player, SaysOverThePictureWhichFrameDiffers) {
+  const TemporaryFolder folder;
+  write_clip(folder);
+  const Ended ended =
+      run_script("player='" DEPIXEL_PLAYER_WITH_FAULT
+                 "'; start clip --no-config --size 800x600 --check-incremental; "
+                 "xdotool key h; sleep 0.3; import -window root shown.png; xdotool key q; wait $!",
+                 folder.path().string());
+  ASSERT_EQ(ended.exit_code, 0) << ended.out << ended.err;
+  // The picture is not drawn and nothing outlined, so that left of the panels there is only the message.
+  const Picture shown = decoded(read_text(folder / "shown.png"));
+  ASSERT_EQ(shown.width(), 800);
+  std::set<std::uint32_t> colours;
+  for (int y = 0; y < 200; ++y) {
+    for (int x = 0; x < 400; ++x) colours.insert(std::bit_cast<std::uint32_t>(pixel(shown, x, y)));
+  }
+  EXPECT_GT(colours.size(), 2);
 }
 
 TEST(Player, WritesNothingOver) {
