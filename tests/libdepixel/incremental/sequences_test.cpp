@@ -33,8 +33,8 @@ std::vector<Picture> frames_of(const std::filesystem::path& folder) {
     if (entry.path().extension() == ".png") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
-  std::vector<Picture> frames;
-  for (const std::filesystem::path& file : files) frames.push_back(load_picture(file));
+  std::vector<Picture> frames(files.size());
+  std::transform(files.begin(), files.end(), frames.begin(), load_picture);
   return frames;
 }
 

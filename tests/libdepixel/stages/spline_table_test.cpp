@@ -28,8 +28,8 @@ Arcs arcs_of(const Picture& picture, const Options& options) {
 }
 
 std::vector<EdgeCurve> curves_of(const SplineTable& table, int first, int count) {
-  std::vector<EdgeCurve> curves;
-  for (int k = 0; k < count; ++k) curves.push_back(table.curve(first + k));
+  std::vector<EdgeCurve> curves(count);
+  for (int k = 0; k < count; ++k) curves[k] = table.curve(first + k);
   return curves;
 }
 
@@ -130,14 +130,12 @@ TEST(SplineTable, KnowsManyShapes) {
   SplineTable table;
   std::vector<std::vector<ShapeWord>> shapes;
   for (int i = 0; i < 5000; ++i) {
-    std::vector<ShapeWord> words;
-    for (int bit = 0; bit < 13; ++bit) {
-      words.emplace_back(CornerCode{}, i >> bit & 1 ? kEast : kSouth, 0);
-    }
+    std::vector<ShapeWord> words(13);
+    for (int bit = 0; bit < 13; ++bit) words[bit] = ShapeWord(CornerCode{}, i >> bit & 1 ? kEast : kSouth, 0);
     shapes.push_back(words);
   }
-  std::vector<int> numbers;
-  for (const auto& words : shapes) numbers.push_back(table.curves_of(words, {}));
+  std::vector<int> numbers(shapes.size());
+  for (std::size_t i = 0; i < shapes.size(); ++i) numbers[i] = table.curves_of(shapes[i], {});
   EXPECT_EQ(table.size(), 5000U * 12);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     EXPECT_EQ(numbers[i], 1 + 12 * static_cast<int>(i));
