@@ -237,7 +237,7 @@ void IncrementalVectorizer::recolour() {
     copy_span(lattice, changed_colours_, graph_.pixels, cells_.colours);
     // What was opaque stays so unless something transparent comes.
     is_opaque_ = is_opaque_ && !is_all_stale_ ? is_opaque_part(lattice, changed_colours_, cells_.colours)
-                            : depixel::is_opaque(lattice, cells_.colours);
+                                              : depixel::is_opaque(lattice, cells_.colours);
     return;
   }
   label_components(graph_, components_);

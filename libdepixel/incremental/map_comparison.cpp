@@ -146,8 +146,8 @@ void MapComparison::find_new(const MapPair& maps, glm::ivec2 move, std::span<con
   count(lattice, changes);
 }
 
-/// Marks edges that a move takes out of the frame, but not farther than to its side: their curves may have reached
-/// into tiles that stay.
+/// Marks edges that a move takes out of the frame, but not farther than to its side: their curves may have
+/// reached into tiles that stay.
 void MapComparison::mark_lost(const MapPair& maps, glm::ivec2 move) {
   const Lattice& lattice = maps.lattice;
   const auto mark_one = [&](glm::ivec2 owner, bool southwards) {

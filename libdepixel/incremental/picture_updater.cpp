@@ -142,8 +142,8 @@ void PictureUpdater::draw_window(const IncrementalVectorizer& source, const Outp
   const std::vector<Rgba>& colours = source.colours();
   const bool is_clear_west = window.clear < window.from;
   const bool is_flattened = FlattenedCurves::fits(grid);
-  // Corners whose edges are looked at, first .. end, and what their curves may reach. Where a source pixel is not a
-  // whole number of output pixels, the first and last ones may reach into the next tiles.
+  // Corners whose edges are looked at, first .. end, and what their curves may reach. Where a source pixel is
+  // not a whole number of output pixels, the first and last ones may reach into the next tiles.
   const int spill = is_flattened ? 0 : 1;
   const int first = is_clear_west ? window.clear + 1 : std::max(window.from - spill, 0);
   const int end = is_clear_west ? std::min(window.to + spill, lattice.width()) : window.clear;

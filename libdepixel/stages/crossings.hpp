@@ -32,7 +32,7 @@ struct CrossingScratch {
   std::vector<std::uint8_t> neighbours;   ///< by find_neighbours(), of the frozen graph
   std::vector<int> curve_length;  ///< padded; of the curve through a valence-2 node, 0 where not known; all 0
                                   ///< between calls
-  std::vector<int> measured;  ///< nodes whose curve_length is not 0
+  std::vector<int> measured;      ///< nodes whose curve_length is not 0
 
   std::size_t memory_bytes() const {
     return held_bytes(windows, crossings, cut, neighbours, curve_length, measured);

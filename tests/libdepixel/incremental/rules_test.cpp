@@ -33,7 +33,8 @@ std::vector<RuleCase> rule_cases() {
        ascii_picture({"..4",  //
                       "4.4",  //
                       ".44"})},
-      // The curve on the left is longer by a link; the crossing lies too far to the right to see it in its window.
+      // The curve on the left is longer by a link; the crossing lies too far to the right to see it in its
+      // window.
       {"crossings_by_curves",
        ascii_picture({"#4#4.4",  //
                       "4.4#4."}),
