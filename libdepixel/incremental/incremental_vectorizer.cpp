@@ -7,8 +7,14 @@
 namespace depixel {
 namespace {
 
-/// Curves that the table holds at most, for each pixel of the frame, before it is made anew.
-constexpr std::size_t kCurvesAPixel = 3, kFewestCurves = std::size_t{1} << 15;
+/// The table is made anew when it holds more curves than this for each pixel of the frame; a frame adds a few
+/// more.
+constexpr double kCurvesAPixel = 1.25, kAddedCurvesAPixel = 0.75;
+constexpr double kFewestCurves = 1 << 14;
+
+double most_curves(const Lattice& lattice) {
+  return std::max(kFewestCurves, kCurvesAPixel * lattice.width() * lattice.height());
+}
 
 /// Where more than this part of the tiles is new, all are taken to be: looking for the others costs more than
 /// it saves.
@@ -51,7 +57,7 @@ void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& opt
   workers_.set_threads(options.threads);
   const Lattice lattice(frame.width, frame.height);
   const bool is_known = options_ && *options_ == of_vectorizing(options) && graph_.lattice == lattice &&
-                        table_.size() <= std::max(kFewestCurves, kCurvesAPixel * lattice.size());
+                        static_cast<double>(table_.size()) <= most_curves(lattice);
   options_ = of_vectorizing(options);
   stats_.changed_pixels = stats_.stale_corners = stats_.changed_tiles = stats_.moved_tiles = 0;
   stats_.crossings = stats_.contours = stats_.nodes = stats_.arcs = stats_.fitted_shapes = 0;
@@ -122,6 +128,8 @@ void IncrementalVectorizer::forget(const Lattice& lattice) {
   colours_before_.assign(lattice.size(), Rgba{});
   thin_.assign(lattice.size() + sizeof(std::uint64_t) * 2, 1);  // as all pixels without links are
   table_.clear();
+  table_.reserve(static_cast<std::size_t>(most_curves(lattice) +
+                                          kAddedCurvesAPixel * lattice.width() * lattice.height()));
   votes_.clear();
   guess_.clear();
   edges_.lattice = lattice;
@@ -267,7 +275,7 @@ void IncrementalVectorizer::encode_part(int y, Span part) {
                  std::min(part.to, count), cells_);
   const Span span = differing_part(codes, row_before_.data(), count);
   for (int x = span.from; x < span.to; ++x) {
-    if (codes[x] != row_before_[x]) stale_.push_back({first + x, CornerCode(row_before_[x])});
+    if (codes[x] != row_before_[x]) add_stale(first + x, CornerCode(row_before_[x]));
   }
 }
 
@@ -276,6 +284,7 @@ void IncrementalVectorizer::encode() {
   const Lattice& lattice = graph_.lattice;
   const bool is_everything = is_all_stale_ || has_whole_components();
   stale_.clear();
+  stale_codes_.clear();
   row_before_.resize(lattice.width() + 1);
   for (int y = 0; y <= lattice.height(); ++y) {
     // The row's blocks have their north-west pixels in row y - 1; what changed in a column of blocks, or of
@@ -307,20 +316,25 @@ void IncrementalVectorizer::find_thin() {
       if (thin[x] == row_before_[x]) continue;
       for (const int corner : {first + x - stride - 1, first + x - stride, first + x - 1, first + x}) {
         const CornerCode code = cells_.corners[corner];
-        if (code.visible_edges() != 0) stale_.push_back({corner, code});
+        if (code.visible_edges() != 0) add_stale(corner, code);
       }
     }
   }
 }
 
+void IncrementalVectorizer::add_stale(int corner, CornerCode before) {
+  stale_.push_back(corner);
+  stale_codes_.push_back(before);
+}
+
 /// Rule::edges_by_codes.
 void IncrementalVectorizer::remove_edges() {
   const std::array<int, 4> step = graph_.lattice.step_offsets();
-  for (const StaleCorner& stale : stale_) {
-    const CornerCode now = cells_.corners[stale.corner];
-    auto gone = static_cast<unsigned>(stale.before.visible_edges() & ~now.visible_edges());
+  for (std::size_t i = 0; i < stale_.size(); ++i) {
+    const CornerCode now = cells_.corners[stale_[i]];
+    auto gone = static_cast<unsigned>(stale_codes_[i].visible_edges() & ~now.visible_edges());
     for (; gone != 0; gone &= gone - 1) {
-      const int slot = edge_end(stale.corner, static_cast<Direction>(std::countr_zero(gone)), step).slot;
+      const int slot = edge_end(stale_[i], static_cast<Direction>(std::countr_zero(gone)), step).slot;
       if (edges_.curve[slot] == 0) continue;  // seen from the other end
       set_curve(slot, 0);
     }
@@ -330,10 +344,9 @@ void IncrementalVectorizer::remove_edges() {
 /// Rule::curves_by_codes.
 void IncrementalVectorizer::trace() {
   if (rules_.has(Rule::edges_by_codes)) remove_edges();
-  stale_corners_.clear();
-  for (const StaleCorner& stale : stale_) stale_corners_.push_back(stale.corner);
-  if (!rules_.has(Rule::curves_by_codes)) stale_corners_.resize(stale_corners_.size() / 2);
-  trace_contours_through(cells_, stale_corners_, contours_);
+  std::span<const int> traced = stale_;
+  if (!rules_.has(Rule::curves_by_codes)) traced = traced.first(traced.size() / 2);
+  trace_contours_through(cells_, traced, contours_);
   cut_arcs(cells_, contours_, thin_, options_->spline, options_->smoothing, arcs_);
   stats_.stale_corners = static_cast<int>(stale_.size());
   stats_.contours = static_cast<int>(contours_.list.size());
@@ -416,8 +429,8 @@ const PlanarMap& IncrementalVectorizer::map() const {
 
 std::size_t IncrementalVectorizer::memory_bytes() const {
   return graph_.memory_bytes() + frozen_.memory_bytes() + stale_crossings_.memory_bytes() +
-         held_bytes(links_before_, colours_before_, thin_, stale_, stale_corners_, curves_before_,
-                    set_curves_, is_slot_set_, codes_before_, moves_, row_before_) +
+         held_bytes(links_before_, colours_before_, thin_, stale_, stale_codes_, curves_before_, set_curves_,
+                    is_slot_set_, codes_before_, moves_, row_before_) +
          crossings_.memory_bytes() + components_.memory_bytes() + cells_.memory_bytes() +
          changed_pixels_.memory_bytes() + changed_frozen_.memory_bytes() + changed_links_.memory_bytes() +
          changed_colours_.memory_bytes() + contours_.memory_bytes() + arcs_.memory_bytes() +

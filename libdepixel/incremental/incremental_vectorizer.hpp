@@ -45,12 +45,6 @@ class IncrementalVectorizer {
   const VectorizeStats& stats() const { return stats_; }
 
  private:
-  /// A corner whose contours are to be traced again, and its code in the frame before.
-  struct StaleCorner {
-    int corner;
-    CornerCode before;
-  };
-
   void forget(const Lattice& lattice);
   void settle_before();
   void forget_set_curves();
@@ -62,6 +56,7 @@ class IncrementalVectorizer {
   void encode_part(int y, Span part);
   void encode();
   void find_thin();
+  void add_stale(int corner, CornerCode before);
   void remove_edges();
   void trace();
   void fit();
@@ -88,9 +83,9 @@ class IncrementalVectorizer {
   std::vector<std::uint8_t> thin_;
   RowSpans changed_pixels_, changed_frozen_, changed_links_, changed_colours_;
 
-  std::vector<StaleCorner> stale_;
-  std::vector<int> stale_corners_;
-  Contours contours_;  ///< those that were traced again
+  std::vector<int> stale_;               ///< corners whose contours are to be traced again
+  std::vector<CornerCode> stale_codes_;  ///< what their codes were
+  Contours contours_;                    ///< those that were traced again
   Arcs arcs_;
   MoveVotes votes_;
 

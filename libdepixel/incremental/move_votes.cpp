@@ -17,6 +17,12 @@ void MoveVotes::start_frame() {
   votes_.clear();
 }
 
+void MoveVotes::make_room(int curve) {
+  const std::size_t wanted = static_cast<std::size_t>(curve) + 1;
+  if (wanted > places_.capacity()) places_.reserve(wanted + wanted / 4);
+  places_.resize(wanted);
+}
+
 void MoveVotes::vote(int before, int now, int nodes, const Lattice& lattice) {
   const glm::ivec2 move = lattice.corner_position(now) - lattice.corner_position(before);
   const auto known =

@@ -23,7 +23,7 @@ class MoveVotes {
   /// \param corner  its first.
   void see(int curve, int corner, int nodes, const Lattice& lattice) {
     if (nodes < kFewestNodes) return;
-    if (curve >= static_cast<int>(places_.size())) places_.resize(2 * std::size_t(curve) + 1);
+    if (curve >= static_cast<int>(places_.size())) make_room(curve);
     Place& place = places_[curve];
     if (place.frame == frame_) return;
     if (place.frame + 1 == frame_ && place.corner != corner) vote(place.corner, corner, nodes, lattice);
@@ -47,6 +47,7 @@ class MoveVotes {
     glm::ivec2 move;
     int nodes;
   };
+  void make_room(int curve);
   void vote(int before, int now, int nodes, const Lattice& lattice);
 
   std::vector<Place> places_;  ///< by curve: where the first arc of the shape was, and when

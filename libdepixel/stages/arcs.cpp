@@ -32,12 +32,6 @@ class ArcCutter {
         arcs_(arcs),
         left_(cells.lattice.left_offsets()) {
     arcs_.list.clear();
-    // Room for the worst: every node the end of one arc and the start of another.
-    const std::size_t nodes = 2 * contours.corner.size() + 2;
-    if (arcs_.corner.size() < nodes) {
-      arcs_.corner.resize(nodes);
-      arcs_.word.resize(nodes);
-    }
   }
 
   void cut(const Contour& contour, ArcKind kind) {
@@ -113,8 +107,20 @@ class ArcCutter {
         ShapeWord(is_end ? CornerCode{} : codes_[corner], heading, thin_sides(corner, heading));
   }
 
+  void make_room(int nodes) {
+    const std::size_t wanted = static_cast<std::size_t>(next_) + nodes;
+    if (wanted <= arcs_.corner.size()) return;
+    // Most nodes belong to one arc.
+    const std::size_t room = std::max(wanted, contours_.corner.size()) + wanted / 4;
+    arcs_.corner.reserve(room);
+    arcs_.word.reserve(room);
+    arcs_.corner.resize(room);
+    arcs_.word.resize(room);
+  }
+
   /// Nodes from .. to, which may run beyond the end of a closed contour.
   void append(int from, int to) {
+    make_room(to - from + 1);
     const int first = next_;
     put(from, true);
     int k = from + 1;
@@ -127,6 +133,7 @@ class ArcCutter {
   }
 
   void append_closed() {
+    make_room(nodes_);
     const int first = next_;
     for (int k = 0; k < nodes_; ++k) put(k, false);
     arcs_.list.push_back({first, nodes_, {true, kind_.interpolated, kind_.rounds}});

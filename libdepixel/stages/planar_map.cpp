@@ -19,24 +19,23 @@ void build_planar_map(const EdgeMap& edges, const SplineTable& table, const std:
   const Lattice& lattice = edges.lattice;
   map.lattice = lattice;
   map.colours = colours;
-  map.segments.resize(map.segments.capacity());
-  std::size_t count = 0;
+  const auto hidden = std::count(edges.curve.begin(), edges.curve.end(), 0);
+  const std::size_t visible = edges.curve.size() - static_cast<std::size_t>(hidden);
+  if (visible > map.segments.capacity()) map.segments.reserve(visible + visible / 8);
+  map.segments.resize(visible);
+  Segment* segment = map.segments.data();
   for (int y = 0; y <= lattice.height(); ++y) {
-    const std::size_t most = count + 2 * (std::size_t(lattice.width()) + 1);
-    if (map.segments.size() < most) map.segments.resize(2 * most);
-    Segment* segment = map.segments.data();
     for (int x = 0; x <= lattice.width(); ++x) {
       const int corner = lattice.corner(x, y);
       const int* curve = edges.curve.data() + edge_slot(corner, false);
       if ((curve[0] | curve[1]) == 0) continue;
       for (const int southwards : {0, 1}) {
         if (curve[southwards] == 0) continue;
-        segment[count++] =
+        *segment++ =
             segment_of(table.curve(curve[southwards]), {x, y}, corner, southwards != 0, lattice.stride());
       }
     }
   }
-  map.segments.resize(count);
 }
 
 }  // namespace depixel

@@ -84,6 +84,12 @@ void SplineTable::clear() {
   fitted_.assign(1, 0);
 }
 
+void SplineTable::reserve(std::size_t curves) {
+  curves_.reserve(curves);
+  tiles_.reserve(curves);
+  fitted_.reserve(curves);
+}
+
 int SplineTable::add_curves(int count) {
   const int first = static_cast<int>(curves_.size());
   curves_.resize(curves_.size() + count);

@@ -20,6 +20,8 @@ class SplineTable {
 
   /// Forgets all shapes and curves.
   void clear();
+  /// Makes room for curves: with room for all, nothing is allocated that is not used.
+  void reserve(std::size_t curves);
 
   /// The number of the first of the curves that belong to an arc's steps; numbers follow each other. A shape
   /// that is not known is added; its curves are set by fit_added().

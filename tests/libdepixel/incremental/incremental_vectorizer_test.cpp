@@ -269,8 +269,8 @@ TEST(IncrementalVectorizer, BeginsAnewWhenItsTableIsFull) {
     before = size;
   }
   EXPECT_GT(begun_anew, 0);
-  EXPECT_GT(most, std::size_t{1} << 15);
-  EXPECT_LT(most, std::size_t{1} << 16);
+  EXPECT_GT(most, std::size_t{1} << 14);
+  EXPECT_LT(most, std::size_t{1} << 15);
 }
 
 }  // namespace
