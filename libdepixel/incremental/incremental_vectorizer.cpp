@@ -417,7 +417,8 @@ void IncrementalVectorizer::compare() {
   const std::vector<glm::ivec2>& voted = votes_.most_voted();
   moves_.insert(moves_.end(), voted.begin(), voted.end());
   comparison_.find_moved(maps, set_curves_, moves_, changes_);
-  for (auto move = changes_.moves.rbegin(); move != changes_.moves.rend(); ++move) guess_.remember(*move);
+  std::for_each(changes_.moves.rbegin(), changes_.moves.rend(),
+                [&](glm::ivec2 move) { guess_.remember(move); });
   if (changes_.new_tiles > kMostNew * lattice().width() * lattice().height()) changes_.everything = true;
 }
 

@@ -40,7 +40,7 @@ std::vector<RuleCase> rule_cases() {
                       "4.4#4."}),
        ascii_picture({"#4#4.4",  //
                       "#.4#4."})},
-      // The crossing above the change is resolved the other way.
+      // The crossing two rows above the change loses the link that it kept.
       {"codes_by_links",
        ascii_picture({".7",  //
                       "7r",  //
@@ -50,7 +50,7 @@ std::vector<RuleCase> rule_cases() {
                       "7r",  //
                       "r7",  //
                       ".."})},
-      // No two pixels are linked, before and after, but the T-junction is another.
+      // The same two pixels are linked before and after, but the junction pairs its contours otherwise.
       {"codes_by_colours",
        ascii_picture({"#5",  //
                       "75"}),
@@ -68,7 +68,8 @@ std::vector<RuleCase> rule_cases() {
                       "44#"}),
        ascii_picture({"_.4",  //
                       "__#"})},
-      // The slanted line is longer, and its upper end is an end no more.
+      // The slanted line grows a thick end, so its pixels are thin no more; farther along it, no code
+      // differs.
       {"curves_by_thin",
        ascii_picture({"4..",  //
                       "b44",  //
@@ -76,7 +77,7 @@ std::vector<RuleCase> rule_cases() {
        ascii_picture({"4..",  //
                       "b44",  //
                       "..4"})},
-      // The contour between the two on the left ends on one that has moved.
+      // The lower junction is as it was, but the contour that goes through has another curve.
       {"joints_by_curves",
        ascii_picture({"4.",  //
                       "#4",  //
