@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 
 #include "libdepixel/core/simd.hpp"
 
@@ -27,7 +26,8 @@ Word4 frame_pixels(const FrameView& frame, glm::ivec2 at) {
 }
 
 bool is_equal(Word4 a, Word4 b) {
-  return std::memcmp(&a, &b, sizeof a) == 0;
+  const Word4 differing = a ^ b;
+  return (differing[0] | differing[1] | differing[2] | differing[3]) == 0;
 }
 
 bool agrees(const FrameView& frame, const SimilarityGraph& before, glm::ivec2 at, glm::ivec2 move) {

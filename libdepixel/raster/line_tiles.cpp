@@ -222,9 +222,8 @@ void LineTiles::settle(const Lattice& lattice, const std::vector<Rgba>& colours,
   lines_.resize(next);
   used_lines_ += found_.size();
   // From the back: `first` is a tile's end at first.
-  for (auto found = found_.rbegin(); found != found_.rend(); ++found) {
-    lines_[--tiles_[found->tile].first] = found->line;
-  }
+  std::for_each(found_.rbegin(), found_.rend(),
+                [&](const Found& found) { lines_[--tiles_[found.tile].first] = found.line; });
 }
 
 void LineTiles::compact() {
