@@ -57,7 +57,7 @@ void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& opt
   workers_.set_threads(options.threads);
   const Lattice lattice(frame.width, frame.height);
   const bool is_known = options_ && *options_ == of_vectorizing(options) && graph_.lattice == lattice &&
-                        static_cast<double>(table_.size()) <= most_curves(lattice);
+                        table_.size() <= curve_limit_;
   options_ = of_vectorizing(options);
   stats_.changed_pixels = stats_.stale_corners = stats_.changed_tiles = stats_.moved_tiles = 0;
   stats_.crossings = stats_.contours = stats_.nodes = stats_.arcs = stats_.fitted_shapes = 0;
@@ -101,6 +101,8 @@ void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& opt
     compare();
   } else {
     changes_.everything = true;
+    // Frames like noise have more curves of their own.
+    curve_limit_ = std::max(static_cast<std::size_t>(most_curves(lattice)), 2 * table_.size());
   }
   count();
   if (!is_known) stats_.changed_pixels = stats_.pixels;

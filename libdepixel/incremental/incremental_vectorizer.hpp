@@ -90,6 +90,7 @@ class IncrementalVectorizer {
   MoveVotes votes_;
 
   SplineTable table_;
+  std::size_t curve_limit_ = 0;  ///< with more curves, the table is made anew
   EdgeMap edges_;
   std::vector<int> curves_before_;
   std::vector<SetCurve> set_curves_;       ///< set in this frame
