@@ -1,9 +1,8 @@
 #include "libdepixel/incremental/frame_diff.hpp"
 
-#include <bit>
 #include <cstring>
 
-#include "libdepixel/core/simd.hpp"
+#include "libdepixel/core/normalized_pixels.hpp"
 
 namespace depixel {
 namespace {
@@ -14,16 +13,9 @@ Rgba pixel_at(const std::uint8_t* row, int x) {
   return normalized(pixel);
 }
 
-Word4 normalized_pixels(const std::uint8_t* row, int x) {
-  constexpr auto kAlpha = std::bit_cast<std::uint32_t>(Rgba{0, 0, 0, 255});
-  const auto four = load_vector<Word4>(row + sizeof(Rgba) * x);
-  const Word4 visible = (four & kAlpha) != 0;
-  return four & visible;
-}
-
 /// Whether four pixels of a frame are the known ones.
 bool are_known(const std::uint8_t* row, const Rgba* known, int x) {
-  const Word4 differing = normalized_pixels(row, x) ^ load_vector<Word4>(known + x);
+  const Word4 differing = load_normalized(row + sizeof(Rgba) * x) ^ load_vector<Word4>(known + x);
   std::array<std::uint64_t, 2> halves;
   std::memcpy(halves.data(), &differing, sizeof differing);
   return (halves[0] | halves[1]) == 0;
@@ -45,7 +37,7 @@ int take_over(const std::uint8_t* row, Rgba* known, Span span) {
   int x = span.from;
   Word4 counts{};
   for (; x + kWordLanes <= span.to; x += kWordLanes) {
-    const Word4 four = normalized_pixels(row, x);
+    const Word4 four = load_normalized(row + sizeof(Rgba) * x);
     counts -= reinterpret_cast<Word4>(four != load_vector<Word4>(known + x));
     store_vector(known + x, four);
   }

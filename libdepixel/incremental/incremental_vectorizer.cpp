@@ -165,7 +165,7 @@ void IncrementalVectorizer::forget_set_curves() {
 }
 
 /// Everything that is known is moved as most of the frame has. What is of this frame becomes that of the
-/// frame before, and what is moved is this frame's until it changes. Rule::uncovered_by_moves: nothing is
+/// frame before, and what is moved is this frame's until it changes. Nothing is
 /// known of what a move uncovers. All rows are stale then, and every contour that passes a place where what
 /// is known is not what it should be is traced again, as its codes there differ.
 void IncrementalVectorizer::move_everything() {

@@ -1,9 +1,8 @@
 #include "libdepixel/incremental/move_guess.hpp"
 
 #include <algorithm>
-#include <bit>
 
-#include "libdepixel/core/simd.hpp"
+#include "libdepixel/core/normalized_pixels.hpp"
 
 namespace depixel {
 namespace {
@@ -17,14 +16,6 @@ constexpr int kWantedOf3 = 2;
 /// Where no move is known, moves of up to this many pixels along either axis are tried.
 constexpr int kFarthest = 12;
 
-Word4 frame_pixels(const FrameView& frame, glm::ivec2 at) {
-  constexpr auto kAlpha = std::bit_cast<std::uint32_t>(Rgba{0, 0, 0, 255});
-  const auto four =
-      load_vector<Word4>(frame.pixels + at.y * frame.pitch + std::ptrdiff_t{sizeof(Rgba)} * at.x);
-  const Word4 visible = (four & kAlpha) != 0;
-  return four & visible;
-}
-
 bool is_equal(Word4 a, Word4 b) {
   const Word4 differing = a ^ b;
   return (differing[0] | differing[1] | differing[2] | differing[3]) == 0;
@@ -33,7 +24,8 @@ bool is_equal(Word4 a, Word4 b) {
 bool agrees(const FrameView& frame, const SimilarityGraph& before, glm::ivec2 at, glm::ivec2 move) {
   const glm::ivec2 from = at - move;
   const auto known = load_vector<Word4>(before.pixels.data() + before.lattice.pixel(from.x, from.y));
-  return is_equal(frame_pixels(frame, at), known);
+  const std::uint8_t* now = frame.pixels + at.y * frame.pitch + std::ptrdiff_t{sizeof(Rgba)} * at.x;
+  return is_equal(load_normalized(now), known);
 }
 
 }  // namespace

@@ -5,17 +5,12 @@
 #include <cassert>
 #include <cstring>
 
+#include "libdepixel/core/normalized_pixels.hpp"
 #include "libdepixel/core/simd.hpp"
 #include "libdepixel/stages/components.hpp"
 
 namespace depixel {
 namespace {
-
-/// Lanes of four pixels whose alpha is not 0, as masks.
-Word4 visible_lanes(Word4 pixels) {
-  constexpr auto kAlpha = std::bit_cast<std::uint32_t>(Rgba{0, 0, 0, 255});
-  return (pixels & kAlpha) != 0;
-}
 
 void load_pixels(const FrameView& frame, SimilarityGraph& graph) {
   const Lattice& lattice = graph.lattice;
@@ -24,8 +19,7 @@ void load_pixels(const FrameView& frame, SimilarityGraph& graph) {
     Rgba* to = graph.pixels.data() + lattice.pixel(0, y);
     int x = 0;
     for (; x + kWordLanes <= lattice.width(); x += kWordLanes) {
-      const auto four = load_vector<Word4>(from + 4 * x);
-      store_vector(to + x, four & visible_lanes(four));
+      store_vector(to + x, load_normalized(from + 4 * x));
     }
     for (; x < lattice.width(); ++x) {
       std::memcpy(to + x, from + 4 * x, sizeof(Rgba));

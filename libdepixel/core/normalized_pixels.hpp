@@ -1,0 +1,19 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "libdepixel/core/color.hpp"
+#include "libdepixel/core/simd.hpp"
+
+namespace depixel {
+
+/// Four pixels of a frame at once, each as normalized() makes it: those of alpha 0 are one colour.
+inline Word4 load_normalized(const void* pixels) {
+  constexpr auto kAlpha = std::bit_cast<std::uint32_t>(Rgba{0, 0, 0, 255});
+  const auto four = load_vector<Word4>(pixels);
+  const Word4 visible = (four & kAlpha) != 0;
+  return four & visible;
+}
+
+}  // namespace depixel
