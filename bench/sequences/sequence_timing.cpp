@@ -73,12 +73,20 @@ class SequenceTimer {
     for (const SoftFilterLibrary& library : softfilters) add(library);
   }
 
+  /// Each plays the whole sequence, one after the other: a filter in an emulator has the caches to itself and
+  /// the game, and so has each here.
   void play() {
-    incremental_player_.restart();
-    for (std::size_t frame = 0; frame < count(); ++frame) {
-      load(frame);
-      time(frame);
-    }
+    play_incrementally();
+    each_frame([&](std::size_t frame) {
+      scratch_.time(frame, [&] {
+        scratch_player_.vectorize(view(frame));
+        scratch_player_.draw();
+      });
+    });
+    play(xbr_);
+    play(hqx_);
+    for (auto& peer : softfilters_) play(peer);
+    each_frame([&](std::size_t frame) { compare(frame); });
   }
 
   SequenceTiming result() const {
@@ -111,24 +119,27 @@ class SequenceTimer {
     }
   }
 
-  /// Hands a frame to the peers; not timed.
-  void load(std::size_t frame) {
-    xbr_.scaler.load(view(frame));
-    hqx_.scaler.load(view(frame));
-    for (auto& peer : softfilters_) peer.scaler.load(view(frame));
+  template <typename Work>
+  void each_frame(Work&& work) {
+    for (std::size_t frame = 0; frame < count(); ++frame) work(frame);
   }
 
-  void time(std::size_t frame) {
-    incremental_.time(frame, [&] { incremental_player_.show(view(frame)); });
-    most_memory_bytes_ = std::max(most_memory_bytes_, incremental_player_.vectorizer().stats().memory_bytes);
-    scratch_.time(frame, [&] {
-      scratch_player_.vectorize(view(frame));
-      scratch_player_.draw();
+  void play_incrementally() {
+    incremental_player_.restart();
+    each_frame([&](std::size_t frame) {
+      incremental_.time(frame, [&] { incremental_player_.show(view(frame)); });
+      most_memory_bytes_ =
+          std::max(most_memory_bytes_, incremental_player_.vectorizer().stats().memory_bytes);
     });
-    xbr_.time(frame);
-    hqx_.time(frame);
-    for (auto& peer : softfilters_) peer.time(frame);
-    compare(frame);
+  }
+
+  /// Handing over a frame is not timed.
+  template <typename Scaler>
+  void play(Peer<Scaler>& peer) {
+    each_frame([&](std::size_t frame) {
+      peer.scaler.load(view(frame));
+      peer.time(frame);
+    });
   }
 
   void compare(std::size_t frame) {

@@ -57,7 +57,7 @@ void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& opt
   workers_.set_threads(options.threads);
   const Lattice lattice(frame.width, frame.height);
   const bool is_known = options_ && *options_ == of_vectorizing(options) && graph_.lattice == lattice &&
-                        table_.size() <= curve_limit_;
+                        table_.places() <= place_limit_;
   options_ = of_vectorizing(options);
   stats_.changed_pixels = stats_.stale_corners = stats_.changed_tiles = stats_.moved_tiles = 0;
   stats_.crossings = stats_.contours = stats_.nodes = stats_.arcs = stats_.fitted_shapes = 0;
@@ -102,7 +102,7 @@ void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& opt
   } else {
     changes_.everything = true;
     // Frames like noise have more curves of their own.
-    curve_limit_ = std::max(static_cast<std::size_t>(most_curves(lattice)), 2 * table_.size());
+    place_limit_ = std::max(static_cast<std::size_t>(most_curves(lattice)), 2 * table_.places());
   }
   count();
   if (!is_known) stats_.changed_pixels = stats_.pixels;
@@ -357,6 +357,7 @@ void IncrementalVectorizer::trace() {
 }
 
 void IncrementalVectorizer::set_curve(int slot, int number) {
+  if (edges_.curve[slot] == number) return;
   if (is_slot_set_[slot] == 0) {
     is_slot_set_[slot] = 1;
     set_curves_.push_back({slot, edges_.curve[slot]});
@@ -369,12 +370,14 @@ void IncrementalVectorizer::fit() {
   const Lattice& lattice = graph_.lattice;
   const std::array<int, 4> step = lattice.step_offsets();
   votes_.start_frame();
-  for (const Arc& arc : arcs_.list) {
-    const int first_curve = table_.curves_of(arcs_.words(arc), arc.kind);
-    votes_.see(first_curve, arcs_.corner[arc.first], arc.count, lattice);
-    for_each_edge(arcs_, arc, first_curve, step, [&](int slot, int number) { set_curve(slot, number); });
+  for (Arc& arc : arcs_.list) {
+    arc.place = table_.place_of(arcs_.words(arc), arc.kind);
+    votes_.see(arc.place, arcs_.corner[arc.first], arc.count, lattice);
   }
   stats_.fitted_shapes = table_.fit_added(options_->smoothing, workers_);
+  for (const Arc& arc : arcs_.list) {
+    for_each_edge(arcs_, arc, table_, step, [&](int slot, int number) { set_curve(slot, number); });
+  }
 }
 
 /// Rule::joints_by_curves: all T-junctions that contours end at or go through.
@@ -398,19 +401,7 @@ void IncrementalVectorizer::join() {
   }
 }
 
-/// Curves that were fitted again, as parts of other arcs, and are what they were get back their numbers.
-void IncrementalVectorizer::settle_numbers() {
-  for (const SetCurve& set : set_curves_) {
-    const int now = edges_.curve[set.slot], before = set.before;
-    if (now == before || now == 0 || before == 0) continue;
-    const bool is_same = table_.curve(now) == table_.curve(before) &&
-                         table_.curve(table_.fitted(now)) == table_.curve(table_.fitted(before));
-    if (is_same) edges_.curve[set.slot] = before;
-  }
-}
-
 void IncrementalVectorizer::compare() {
-  settle_numbers();
   const MapPair maps{graph_.lattice, table_,        edges_.curve,   curves_before_,
                      cells_.corners, codes_before_, cells_.colours, colours_before_};
   comparison_.find_new(maps, move_, set_curves_, changed_colours_, rules_, changes_);

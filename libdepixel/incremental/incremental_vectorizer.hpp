@@ -61,7 +61,6 @@ class IncrementalVectorizer {
   void trace();
   void fit();
   void join();
-  void settle_numbers();
   void compare();
   void count();
   void set_curve(int slot, int number);
@@ -90,7 +89,7 @@ class IncrementalVectorizer {
   MoveVotes votes_;
 
   SplineTable table_;
-  std::size_t curve_limit_ = 0;  ///< with more curves, the table is made anew
+  std::size_t place_limit_ = 0;  ///< with more places, the table is made anew
   EdgeMap edges_;
   std::vector<int> curves_before_;
   std::vector<SetCurve> set_curves_;       ///< set in this frame

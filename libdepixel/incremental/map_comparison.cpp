@@ -10,11 +10,6 @@
 namespace depixel {
 namespace {
 
-/// True where two edges have the same curve, or none.
-bool is_same(const SplineTable& table, int a, int b) {
-  return a == b || (a != 0 && b != 0 && table.curve(a) == table.curve(b));
-}
-
 /// The slots of the four edges round a pixel.
 std::array<int, 4> edges_round(int pixel, int stride) {
   const int north_west = pixel - stride - 1;
@@ -55,54 +50,17 @@ bool is_likely(const MapPair& maps, std::span<const SetCurve> set, glm::ivec2 mo
     const int number = maps.curve[set[i].slot], from = set[i].slot - offset;
     if (number == 0 || from < 0 || from >= size) continue;
     ++samples;
-    found += is_same(maps.table, number, maps.curve_before[from]) ? 1 : 0;
+    found += number == maps.curve_before[from] ? 1 : 0;
   }
   return found * kFewest > samples;
 }
 
-/// Eight masks that are worked on together.
-using Mask8 = TileMask __attribute__((vector_size(16)));
-
 }  // namespace
 
 void MapComparison::mark(const MapPair& maps, int slot, int now, int before) {
-  touched_[slot / 2] |= maps.table.tiles(now) | maps.table.tiles(before);
-}
-
-/// Gives the tiles that the marked edges' curves touch a value; forgets the marks.
-void MapComparison::take_marks(const Lattice& lattice, std::uint8_t value, std::vector<std::uint8_t>& tiles) {
-  constexpr int kLanes = sizeof(Mask8) / sizeof(TileMask);
-  const int stride = lattice.stride();
-  std::array<int, 9> back;  // from a tile to the owner whose mask's bit it is
-  for (int bit = 0; bit < 9; ++bit) back[bit] = bit / 3 * stride + bit % 3;
-  // Owners may lie a corner outside the frame.
-  const int owners = lattice.width() + 3;
-  const auto row_of_owners = [&](int y) { return touched_.data() + lattice.corner(-1, y); };
-  const auto is_marked = [&](int y) {
-    const TileMask* row = row_of_owners(y);
-    return row[0] != 0 || std::memcmp(row, row + 1, (owners - 1) * sizeof(TileMask)) != 0;
-  };
-  bool above = is_marked(-1), at = is_marked(0), below;
-  for (int y = 0; y < lattice.height(); ++y, above = at, at = below) {
-    below = is_marked(y + 1);
-    if (!above && !at && !below) continue;
-    const int first = lattice.pixel(0, y);
-    for (int x = 0; x < lattice.width(); x += kLanes) {  // may write into the padding
-      Mask8 found{};
-      for (int bit = 0; bit < 9; ++bit) {
-        found |= load_vector<Mask8>(touched_.data() + first + x - back[bit]) >> bit;
-      }
-      found &= 1;
-      for (int lane = 0; lane < kLanes; ++lane) {
-        std::uint8_t& tile = tiles[first + x + lane];
-        tile = found[lane] != 0 ? value : tile;
-      }
-    }
-    if (above) std::fill_n(row_of_owners(y - 1), owners, TileMask{0});
-  }
-  for (int y = lattice.height() - 1; y <= lattice.height() + 1; ++y) {
-    std::fill_n(row_of_owners(y), owners, TileMask{0});
-  }
+  std::uint8_t* tiles = differs_.data() + slot / 2;
+  auto touched = static_cast<unsigned>(maps.table.tiles(now) | maps.table.tiles(before));
+  for (; touched != 0; touched &= touched - 1) tiles[tile_offsets_[std::countr_zero(touched)]] = 1;
 }
 
 void MapComparison::find_new(const MapPair& maps, glm::ivec2 move, std::span<const SetCurve> set,
@@ -111,7 +69,8 @@ void MapComparison::find_new(const MapPair& maps, glm::ivec2 move, std::span<con
   const bool is_moved = move != glm::ivec2(0);
   changes.set_nothing();
   changes.tiles.assign(lattice.size(), MapChanges::kSame);
-  touched_.resize(lattice.size());
+  differs_.assign(lattice.size(), 0);
+  for (int bit = 0; bit < 9; ++bit) tile_offsets_[bit] = bit / 3 * lattice.stride() + bit % 3;
   const int offset = move.y * lattice.stride() + move.x;
   if (is_moved) {
     changes.moves.push_back(move);
@@ -125,7 +84,7 @@ void MapComparison::find_new(const MapPair& maps, glm::ivec2 move, std::span<con
     }
   }
   const auto mark_colour = [&](int pixel) {
-    if (rules.has(Rule::tiles_by_colours)) changes.tiles[pixel] = MapChanges::kNew;
+    if (rules.has(Rule::tiles_by_colours)) differs_[pixel] = 1;
     if (!rules.has(Rule::tiles_by_side_colours)) return;
     for (const int slot : edges_round(pixel, lattice.stride())) mark(maps, slot, maps.curve[slot], 0);
   };
@@ -141,7 +100,7 @@ void MapComparison::find_new(const MapPair& maps, glm::ivec2 move, std::span<con
                         [&](int x) { mark_colour(first + x); });
     for (int x = east; x < span.to; ++x) mark_colour(lattice.pixel(x, y));
   }
-  take_marks(lattice, MapChanges::kNew, changes.tiles);
+  take_new(lattice, changes.tiles);
   if (is_moved) keep_flat(maps, changes.tiles);
   count(lattice, changes);
 }
@@ -213,77 +172,102 @@ void MapComparison::count(const Lattice& lattice, MapChanges& changes) {
   }
 }
 
-/// In each row, from the first new tile to the last.
-void MapComparison::find_new_spans(const Lattice& lattice, const std::vector<std::uint8_t>& tiles) {
-  new_.reset(lattice.height());
+/// Tiles that differ are new.
+void MapComparison::take_new(const Lattice& lattice, std::vector<std::uint8_t>& tiles) const {
   for (int y = 0; y < lattice.height(); ++y) {
-    const std::uint8_t* row = tiles.data() + lattice.pixel(0, y);
-    const auto* first = static_cast<const std::uint8_t*>(std::memchr(row, MapChanges::kNew, lattice.width()));
-    if (first == nullptr) continue;
-    int to = lattice.width();
-    while (row[to - 1] != MapChanges::kNew) --to;
-    new_.set(y, {static_cast<int>(first - row), to});
+    const int first = lattice.pixel(0, y);
+    for (int x = first; x < first + lattice.width(); x += sizeof(Byte16)) {  // may write into the padding
+      const auto differs = load_vector<Byte16>(differs_.data() + x) != 0;
+      const auto tile = load_vector<Byte16>(tiles.data() + x);
+      store_vector(tiles.data() + x, differs ? Byte16{} + MapChanges::kNew : tile);
+    }
   }
 }
 
-/// Marks the tiles that are not what lay by a move from them before, where new ones are, and maybe others.
-void MapComparison::compare_moved(const MapPair& maps, glm::ivec2 move) {
-  const Lattice& lattice = maps.lattice;
-  const int stride = lattice.stride(), offset = move.y * stride + move.x;
-  // Tiles that have one before: west .. east - 1, north .. south - 1.
-  const int west = std::max(0, move.x), east = std::min(lattice.width(), lattice.width() + move.x);
-  const int north = std::max(0, move.y), south = std::min(lattice.height(), lattice.height() + move.y);
-  // Curves touch them from one corner farther on: in one of the maps that may lie in the padding, without
-  // any.
-  for (int y = north - 1; y <= south + 1; ++y) {
-    const Span span = united(new_.around(y));
-    const int from = std::max(span.from, west) - 1, to = std::min(span.to, east) + 1;
-    if (span.is_empty() || from >= to) continue;
-    const int first = edge_slot(lattice.corner(from, y), false);
-    const int* before = maps.curve_before.data() + first - 2 * offset;
-    for_each_difference(maps.curve.data() + first, before, 2 * (to - from + 1), [&](int i) {
-      const int now = maps.curve[first + i];
-      if (!is_same(maps.table, now, before[i])) mark(maps, first + i, now, before[i]);
-    });
+/// Whether a tile is what one at some offset before it was: the tile's colour, the curves that touch it, and
+/// the colours on their sides.
+bool MapComparison::is_moved(const MapPair& maps, int tile, int offset) {
+  const int stride = maps.lattice.stride();
+  if (maps.colours[tile] != maps.colours_before[tile - offset]) return false;
+  // Curves are owned by the nine corners round the one at the tile's north-west; for the first of them, bit 8
+  // of a mask is the tile, for the next, bit 7.
+  const int first_owner = tile - 2 * stride - 2;
+  for (int row = 0, bit = 8; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column, --bit) {
+      const int slot = edge_slot(first_owner + row * stride + column, false);
+      const int *now = maps.curve.data() + slot, *before = maps.curve_before.data() + slot - 2 * offset;
+      if (((now[0] ^ before[0]) | (now[1] ^ before[1])) == 0) continue;
+      for (const int southwards : {0, 1}) {
+        if (now[southwards] == before[southwards]) continue;
+        const TileMask touched = maps.table.tiles(now[southwards]) | maps.table.tiles(before[southwards]);
+        if ((touched >> bit & 1) != 0) return false;
+      }
+    }
   }
-  for (int y = north; y < south; ++y) {
-    const Span span = united(new_.around(y));
-    const int from = std::max(span.from - 1, west), to = std::min(span.to + 1, east);
-    if (span.is_empty() || from >= to) continue;
-    const int first = lattice.pixel(from, y);
-    for_each_difference(maps.colours.data() + first, maps.colours_before.data() + first - offset, to - from,
-                        [&](int x) {
-                          differs_[first + x] = 1;
-                          for (const int slot : edges_round(first + x, stride)) {
-                            mark(maps, slot, maps.curve[slot], maps.curve_before[slot - 2 * offset]);
-                          }
-                        });
+  return has_moved_sides(maps, tile, offset);
+}
+
+/// Whether the curves in a tile, which are those before, have the colours on their sides that they had.
+bool MapComparison::has_moved_sides(const MapPair& maps, int tile, int offset) {
+  const int stride = maps.lattice.stride(), first_owner = tile - 2 * stride - 2;
+  bool is_same = true;
+  for (int row = 0; row < 4; ++row) {
+    const int first = first_owner + row * stride;
+    is_same &= std::memcmp(maps.colours.data() + first, maps.colours_before.data() + first - offset,
+                           4 * sizeof(Rgba)) == 0;
   }
-  take_marks(lattice, 1, differs_);
+  if (is_same) return true;
+  const auto differs = [&](int pixel) { return maps.colours[pixel] != maps.colours_before[pixel - offset]; };
+  for (int row = 0, bit = 8; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column, --bit) {
+      const int owner = first_owner + row * stride + column;
+      for (const bool southwards : {false, true}) {
+        const int number = maps.curve[edge_slot(owner, southwards)];
+        if ((maps.table.tiles(number) >> bit & 1) == 0) continue;
+        const EdgeSides sides = sides_of(owner, southwards, stride);
+        if (differs(sides.left) || differs(sides.right)) return false;
+      }
+    }
+  }
+  return true;
 }
 
 /// Gives new tiles that are what a move brings its value.
-void MapComparison::take_moved(const Lattice& lattice, glm::ivec2 move, MapChanges& changes) const {
+void MapComparison::take_moved(const MapPair& maps, glm::ivec2 move, MapChanges& changes) {
+  constexpr int kAtOnce = sizeof(Byte16);
+  const Lattice& lattice = maps.lattice;
   const bool stays = move == glm::ivec2(0);
   const auto value =
       stays ? MapChanges::kSame : static_cast<std::uint8_t>(MapChanges::kMoved + changes.moves.size());
+  const int offset = move.y * lattice.stride() + move.x;
+  // Tiles that have one before.
   const int west = std::max(0, move.x), east = std::min(lattice.width(), lattice.width() + move.x);
-  for (int y = std::max(0, move.y); y < std::min(lattice.height(), lattice.height() + move.y); ++y) {
-    std::uint8_t* tiles = changes.tiles.data() + lattice.pixel(0, y);
-    const std::uint8_t* differs = differs_.data() + lattice.pixel(0, y);
-    for (int x = west; x < east; ++x) {
-      tiles[x] = tiles[x] == MapChanges::kNew && differs[x] == 0 ? value : tiles[x];
+  const int north = std::max(0, move.y), south = std::min(lattice.height(), lattice.height() + move.y);
+  int taken = 0;
+  for (int y = north; y < south; ++y) {
+    const int first = lattice.pixel(0, y);
+    for (int x = west; x < east; x += kAtOnce) {
+      const auto is_new = load_vector<Byte16>(changes.tiles.data() + first + x) == MapChanges::kNew;
+      std::uint32_t bits = gather_bits(reinterpret_cast<Byte16>(is_new), 0);
+      if (east - x < kAtOnce) bits &= (1U << (east - x)) - 1;
+      for (; bits != 0; bits &= bits - 1) {
+        const int tile = first + x + std::countr_zero(bits);
+        if (!is_moved(maps, tile, offset)) continue;
+        changes.tiles[tile] = value;
+        ++taken;
+      }
     }
   }
-  const int before = changes.new_tiles;
-  count(lattice, changes);
-  if (changes.new_tiles < before && !stays) changes.moves.push_back(move);
+  if (taken == 0) return;
+  changes.new_tiles -= taken;
+  if (stays) return;
+  changes.moved_tiles += taken;
+  changes.moves.push_back(move);
 }
 
 void MapComparison::find_moved(const MapPair& maps, std::span<const SetCurve> set,
                                std::span<const glm::ivec2> moves, MapChanges& changes) {
   const Lattice& lattice = maps.lattice;
-
   for (const glm::ivec2 move : moves) {
     const bool stays = move == glm::ivec2(0);
     if (!stays && changes.new_tiles * kLeastPart <= lattice.width() * lattice.height()) return;
@@ -291,10 +275,7 @@ void MapComparison::find_moved(const MapPair& maps, std::span<const SetCurve> se
     const bool is_tried = std::find(changes.moves.begin(), changes.moves.end(), move) != changes.moves.end();
     const bool is_near = std::abs(move.x) < lattice.width() && std::abs(move.y) < lattice.height();
     if (is_tried || !is_near || (!stays && !is_likely(maps, set, move))) continue;
-    find_new_spans(lattice, changes.tiles);
-    differs_.assign(lattice.size(), 0);
-    compare_moved(maps, move);
-    take_moved(lattice, move, changes);
+    take_moved(maps, move, changes);
   }
 }
 

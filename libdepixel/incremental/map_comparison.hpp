@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "libdepixel/incremental/row_spans.hpp"
 #include "libdepixel/incremental/rules.hpp"
 #include "libdepixel/stages/edge_map.hpp"
+#include "libdepixel/stages/planar_map.hpp"
 
 namespace depixel {
 
@@ -38,11 +40,11 @@ class MapComparison {
   /// Finds which of the new tiles are what they were (the move by nothing), and which were elsewhere in the
   /// map before: all that lies in them was. So a move need not be right, or the only one: what it does not
   /// explain stays new. \param set    as in find_new(). \param moves  to be tried, in source pixels; the
-  /// first ones first. Cost: linear in corners for each move, a few operations on 16 bytes for what agrees.
+  /// first ones first. Cost: for each move, linear in new tiles.
   void find_moved(const MapPair& maps, std::span<const SetCurve> set, std::span<const glm::ivec2> moves,
                   MapChanges& changes);
 
-  std::size_t memory_bytes() const { return held_bytes(touched_, differs_) + new_.memory_bytes(); }
+  std::size_t memory_bytes() const { return held_bytes(differs_); }
 
  private:
   static void cover(const Lattice& lattice, glm::ivec2 move, std::vector<std::uint8_t>& tiles);
@@ -50,13 +52,12 @@ class MapComparison {
   static void count(const Lattice& lattice, MapChanges& changes);
   void mark(const MapPair& maps, int slot, int now, int before);
   void mark_lost(const MapPair& maps, glm::ivec2 move);
-  void take_marks(const Lattice& lattice, std::uint8_t value, std::vector<std::uint8_t>& tiles);
-  void find_new_spans(const Lattice& lattice, const std::vector<std::uint8_t>& tiles);
-  void compare_moved(const MapPair& maps, glm::ivec2 move);
-  void take_moved(const Lattice& lattice, glm::ivec2 move, MapChanges& changes) const;
+  void take_new(const Lattice& lattice, std::vector<std::uint8_t>& tiles) const;
+  static bool is_moved(const MapPair& maps, int tile, int offset);
+  static bool has_moved_sides(const MapPair& maps, int tile, int offset);
+  static void take_moved(const MapPair& maps, glm::ivec2 move, MapChanges& changes);
 
-  RowSpans new_;                       ///< new tiles that moves are tried for
-  std::vector<TileMask> touched_;      ///< padded, by corner: tiles that marked curves of its edges touch
+  std::array<int, 9> tile_offsets_{};  ///< by bit of a TileMask: from the edge's owner to the tile
   std::vector<std::uint8_t> differs_;  ///< padded, by tile: 1 where it is not what a move brings there
 };
 

@@ -56,12 +56,13 @@ int MoveGuess::take_samples(const FrameView& frame, const SimilarityGraph& befor
   return changed;
 }
 
-/// How many samples a move leaves unexplained; those that come from outside count as halves, as they may be
-/// anything.
-int MoveGuess::count_unexplained(const FrameView& frame, const SimilarityGraph& before,
-                                 glm::ivec2 move) const {
+/// How many samples a move leaves unexplained, or `most` if they are more; those that come from outside count
+/// as halves, as they may be anything.
+int MoveGuess::count_unexplained(const FrameView& frame, const SimilarityGraph& before, glm::ivec2 move,
+                                 int most) const {
   int twice = 0;
   for (const glm::ivec2 at : samples_) {
+    if (twice >= 2 * most) return most;
     const glm::ivec2 from = at - move;
     const bool is_inside =
         from.x >= 0 && from.y >= 0 && from.x + kSamplePixels <= frame.width && from.y < frame.height;
@@ -77,7 +78,7 @@ std::optional<glm::ivec2> MoveGuess::guess(const FrameView& frame, const Similar
   std::optional<glm::ivec2> best;
   int fewest = changed * kWantedOf3 / 3;
   const auto attempt = [&](glm::ivec2 move) {
-    const int unexplained = count_unexplained(frame, before, move);
+    const int unexplained = count_unexplained(frame, before, move, fewest);
     if (unexplained >= fewest) return;
     fewest = unexplained;
     best = move;

@@ -26,7 +26,8 @@ class MoveGuess {
 
  private:
   int take_samples(const FrameView& frame, const SimilarityGraph& before);
-  int count_unexplained(const FrameView& frame, const SimilarityGraph& before, glm::ivec2 move) const;
+  int count_unexplained(const FrameView& frame, const SimilarityGraph& before, glm::ivec2 move,
+                        int most) const;
 
   std::vector<glm::ivec2> recent_;   ///< the latest first
   std::vector<glm::ivec2> samples_;  ///< pixels, each the first of a few in its row

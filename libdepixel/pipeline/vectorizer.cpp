@@ -48,11 +48,11 @@ void Vectorizer::fit(const Options& options) {
   edges_.lattice = cells_.lattice;
   edges_.curve.assign(2 * std::size_t(cells_.lattice.size()), 0);
   table_.clear();
-  for (const Arc& arc : arcs_.list) {
-    for_each_edge(arcs_, arc, table_.curves_of(arcs_.words(arc), arc.kind), step,
-                  [&](int slot, int number) { edges_.curve[slot] = number; });
-  }
+  for (Arc& arc : arcs_.list) arc.place = table_.place_of(arcs_.words(arc), arc.kind);
   stats_.fitted_shapes = table_.fit_added(options.smoothing, workers_);
+  for (const Arc& arc : arcs_.list) {
+    for_each_edge(arcs_, arc, table_, step, [&](int slot, int number) { edges_.curve[slot] = number; });
+  }
   for (const Contour& contour : contours_.list) {
     if (contour.closed) continue;
     for (const int end : {contour.first, contour.first + contour.count - 1}) {

@@ -51,6 +51,7 @@ struct Arc {
   int first = 0;
   int count = 0;
   ArcKind kind;
+  int place = 0;  ///< SplineTable::place_of() its shape; to be set by whom fits it
 
   int step_count() const { return kind.closed ? count : count - 1; }
 };

@@ -9,7 +9,7 @@
 namespace depixel {
 
 /// The curves of a frame's planar map, by lattice edge: numbers in a SplineTable. What lies where can be
-/// looked up, and what is equal has equal numbers mostly; so this is the form in which maps are changed and
+/// looked up, and what is equal has equal numbers; so this is the form in which maps are changed and
 /// compared.
 struct EdgeMap {
   Lattice lattice;
@@ -19,14 +19,14 @@ struct EdgeMap {
 };
 
 /// Calls visit(slot, number) for each step of an arc: the edge's slot and its curve's number.
-/// \param first_curve  SplineTable::curves_of() the arc.
+/// The arc has its place in the table, and is fitted.
 template <typename Visit>
-void for_each_edge(const Arcs& arcs, const Arc& arc, int first_curve, const std::array<int, 4>& step,
-                   Visit visit) {
+void for_each_edge(const Arcs& arcs, const Arc& arc, const SplineTable& table,
+                   const std::array<int, 4>& step, Visit visit) {
   const int* corner = arcs.corner.data() + arc.first;
   const ShapeWord* word = arcs.word.data() + arc.first;
   for (int k = 0, steps = arc.step_count(); k < steps; ++k) {
-    visit(edge_end(corner[k], word[k].heading(), step).slot, first_curve + k);
+    visit(edge_end(corner[k], word[k].heading(), step).slot, table.number_at(arc.place + k));
   }
 }
 

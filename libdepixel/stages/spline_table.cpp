@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
-#include <numeric>
 
 #include "libdepixel/core/simd.hpp"
 
@@ -42,19 +41,23 @@ constexpr int kShapesAtOnce = 64;
 
 void SplineTable::Index::clear() {
   constexpr std::size_t kFewest = 1024;
-  entries_.assign(std::max(kFewest, entries_.size()), {0, -1});
+  entries_.assign(std::max(kFewest, entries_.size()), {{}, -1});
   shift_ = 64 - std::countr_zero(entries_.size());
   used_ = 0;
 }
 
+std::size_t SplineTable::Index::place_of(const std::array<std::uint32_t, 2>& key) const {
+  return std::bit_cast<std::uint64_t>(key) * kMultiplier >> shift_;
+}
+
 void SplineTable::Index::grow() {
-  std::vector<Entry> old(2 * entries_.size(), {0, -1});
+  std::vector<Entry> old(2 * entries_.size(), {{}, -1});
   old.swap(entries_);
   --shift_;
   const std::size_t mask = entries_.size() - 1;
   for (const Entry& entry : old) {
     if (entry.number < 0) continue;
-    std::size_t at = entry.key * kMultiplier >> shift_;
+    std::size_t at = place_of(entry.key);
     while (entries_[at].number >= 0) at = (at + 1) & mask;
     entries_[at] = entry;
   }
@@ -63,11 +66,12 @@ void SplineTable::Index::grow() {
 template <typename IsSame>
 int SplineTable::Index::find_or_add(std::uint64_t key, int number, IsSame is_same) {
   const std::size_t mask = entries_.size() - 1;
-  std::size_t at = key * kMultiplier >> shift_;
+  const auto halves = std::bit_cast<std::array<std::uint32_t, 2>>(key);
+  std::size_t at = place_of(halves);
   for (; entries_[at].number >= 0; at = (at + 1) & mask) {
-    if (entries_[at].key == key && is_same(entries_[at].number)) return entries_[at].number;
+    if (entries_[at].key == halves && is_same(entries_[at].number)) return entries_[at].number;
   }
-  entries_[at] = {key, number};
+  entries_[at] = {halves, number};
   if (2 * ++used_ > entries_.size()) grow();
   return number;
 }
@@ -76,30 +80,20 @@ void SplineTable::clear() {
   ++generation_;
   words_.clear();
   shapes_.clear();
+  numbers_.clear();
   fitted_shapes_ = 0;
-  shape_index_.clear();
-  joined_index_.clear();
+  for (Index* index : {&shape_index_, &curve_index_, &joined_index_}) index->clear();
   curves_.assign(1, {});
   tiles_.assign(1, 0);
   fitted_.assign(1, 0);
 }
 
-void SplineTable::reserve(std::size_t curves) {
-  curves_.reserve(curves);
-  tiles_.reserve(curves);
-  fitted_.reserve(curves);
+void SplineTable::reserve(std::size_t steps) {
+  words_.reserve(steps);
+  numbers_.reserve(steps);
 }
 
-int SplineTable::add_curves(int count) {
-  const int first = static_cast<int>(curves_.size());
-  curves_.resize(curves_.size() + count);
-  tiles_.resize(curves_.size());
-  fitted_.resize(curves_.size());
-  std::iota(fitted_.begin() + first, fitted_.end(), first);
-  return first;
-}
-
-int SplineTable::curves_of(std::span<const ShapeWord> words, ArcKind kind) {
+int SplineTable::place_of(std::span<const ShapeWord> words, ArcKind kind) {
   const auto next = static_cast<int>(shapes_.size());
   const std::uint64_t key = key_of(words, kind);
   const int shape = shape_index_.find_or_add(key, next, [&](int number) {
@@ -109,23 +103,29 @@ int SplineTable::curves_of(std::span<const ShapeWord> words, ArcKind kind) {
            std::memcmp(words_.data() + known.first_word, words.data(), words.size_bytes()) == 0;
   });
   if (shape == next) {
-    Shape added{static_cast<int>(words_.size()), static_cast<int>(words.size()), kind, 0};
-    added.first_curve = add_curves(added.step_count());
+    const Shape added{static_cast<int>(words_.size()), static_cast<int>(words.size()), kind,
+                      static_cast<int>(numbers_.size())};
+    numbers_.resize(numbers_.size() + added.step_count());
     words_.insert(words_.end(), words.begin(), words.end());
     shapes_.push_back(added);
   }
-  return shapes_[shape].first_curve;
+  return shapes_[shape].first_place;
 }
 
 int SplineTable::fit_added(Smoothing smoothing, Workers& workers) {
+  const auto count = static_cast<int>(shapes_.size() - fitted_shapes_);
+  if (count == 0) return 0;
+  const auto first_place = static_cast<std::size_t>(shapes_[fitted_shapes_].first_place);
+  const std::size_t steps = numbers_.size() - first_place;
+  added_curves_.resize(std::max(added_curves_.size(), steps));
+  added_tiles_.resize(added_curves_.size());
   added_.clear();
   for (std::size_t i = fitted_shapes_; i < shapes_.size(); ++i) {
     const Shape& shape = shapes_[i];
+    const std::size_t first = shape.first_place - first_place;
     added_.push_back({std::span(words_).subspan(shape.first_word, shape.count), shape.kind,
-                      curves_.data() + shape.first_curve, tiles_.data() + shape.first_curve});
+                      added_curves_.data() + first, added_tiles_.data() + first});
   }
-  const auto count = static_cast<int>(added_.size());
-  if (count == 0) return 0;
   fitters_.resize(std::max<std::size_t>(fitters_.size(), workers.threads()));
   const int parts = (count + kShapesAtOnce - 1) / kShapesAtOnce;
   // One thread takes all in one go: batches are fuller.
@@ -138,8 +138,25 @@ int SplineTable::fit_added(Smoothing smoothing, Workers& workers) {
                            smoothing);
     });
   }
+  for (std::size_t k = 0; k < steps; ++k) {
+    numbers_[first_place + k] = number_of(added_curves_[k], added_tiles_[k]);
+  }
   fitted_shapes_ = shapes_.size();
   return count;
+}
+
+/// The number of a fitted curve; of a new one if it is not known.
+int SplineTable::number_of(const EdgeCurve& curve, TileMask tiles) {
+  const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(curve);
+  const std::uint64_t key = std::rotl(halves[0] * kMultiplier, 29) ^ halves[1];
+  const auto next = static_cast<int>(curves_.size());
+  const int number = curve_index_.find_or_add(key, next, [&](int known) { return curves_[known] == curve; });
+  if (number == next) {
+    curves_.push_back(curve);
+    tiles_.push_back(tiles);
+    fitted_.push_back(number);
+  }
+  return number;
 }
 
 int SplineTable::joined(int fitted, bool southwards, glm::i16vec2 p0, glm::i16vec2 p3) {
@@ -162,9 +179,10 @@ int SplineTable::joined(int fitted, bool southwards, glm::i16vec2 p0, glm::i16ve
 }
 
 std::size_t SplineTable::memory_bytes() const {
-  std::size_t bytes = held_bytes(words_, shapes_, curves_, tiles_, fitted_, added_, fitters_);
+  std::size_t bytes = held_bytes(words_, shapes_, numbers_, curves_, tiles_, fitted_, added_, added_curves_,
+                                 added_tiles_, fitters_);
   for (const SplineFitter& fitter : fitters_) bytes += fitter.memory_bytes();
-  return bytes + shape_index_.memory_bytes() + joined_index_.memory_bytes();
+  return bytes + shape_index_.memory_bytes() + curve_index_.memory_bytes() + joined_index_.memory_bytes();
 }
 
 }  // namespace depixel

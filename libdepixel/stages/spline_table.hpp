@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -13,21 +14,25 @@ namespace depixel {
 /// The splines of all different shapes of arcs. A frame has far fewer shapes than arcs, and the next frame
 /// has mostly the same ones, wherever they have moved to: so each shape is fitted once.
 ///
-/// Curves are known by their number, which is never 0. Numbers stay good until clear().
+/// Curves are known by their number, which is never 0; equal curves have equal numbers. The steps of a shape
+/// have places that follow each other, and at each place stands the number of the step's curve. Numbers and
+/// places stay good until clear().
 class SplineTable {
  public:
   SplineTable() { clear(); }
 
   /// Forgets all shapes and curves.
   void clear();
-  /// Makes room for curves: with room for all, nothing is allocated that is not used.
-  void reserve(std::size_t curves);
+  /// Makes room for the steps of shapes: with room for all, nothing is allocated that is not used.
+  void reserve(std::size_t steps);
 
-  /// The number of the first of the curves that belong to an arc's steps; numbers follow each other. A shape
-  /// that is not known is added; its curves are set by fit_added().
-  int curves_of(std::span<const ShapeWord> words, ArcKind kind);
+  /// The place of the first of an arc's steps. A shape that is not known is added; its curves are set by
+  /// fit_added().
+  int place_of(std::span<const ShapeWord> words, ArcKind kind);
   /// Fits splines to all shapes added since the last call. \return how many they were.
   int fit_added(Smoothing smoothing, Workers& workers);
+  /// The number of the curve of a fitted shape's step.
+  int number_at(int place) const { return numbers_[place]; }
 
   /// The number of a curve with other ends (see join()); of a known curve that was fitted.
   int joined(int fitted, bool southwards, glm::i16vec2 p0, glm::i16vec2 p3);
@@ -40,6 +45,8 @@ class SplineTable {
   unsigned generation() const { return generation_; }
   /// Curves held, joined ones among them.
   std::size_t size() const { return curves_.size() - 1; }
+  /// Places: steps of all shapes.
+  std::size_t places() const { return numbers_.size(); }
 
   std::size_t memory_bytes() const;
 
@@ -47,7 +54,7 @@ class SplineTable {
   struct Shape {
     int first_word, count;
     ArcKind kind;
-    int first_curve;
+    int first_place;
 
     int step_count() const { return kind.closed ? count : count - 1; }
   };
@@ -63,27 +70,31 @@ class SplineTable {
 
    private:
     struct Entry {
-      std::uint64_t key;
+      std::array<std::uint32_t, 2> key;  ///< halves, so that entries need no padding
       int number;
     };
     void grow();
+    std::size_t place_of(const std::array<std::uint32_t, 2>& key) const;
 
     std::vector<Entry> entries_;
     std::size_t used_ = 0;
     int shift_ = 0;  ///< from a scrambled key to a place
   };
 
-  int add_curves(int count);
+  int number_of(const EdgeCurve& curve, TileMask tiles);
 
   unsigned generation_ = 0;
   std::vector<ShapeWord> words_;
   std::vector<Shape> shapes_;
   std::size_t fitted_shapes_ = 0;  ///< shapes before this one have their curves
-  Index shape_index_, joined_index_;
+  Index shape_index_, curve_index_, joined_index_;
+  std::vector<int> numbers_;           ///< by place
   std::vector<EdgeCurve> curves_;  ///< entry 0 is nobody's
   std::vector<TileMask> tiles_;
   std::vector<int> fitted_;
   std::vector<ArcShape> added_;
+  std::vector<EdgeCurve> added_curves_;  ///< of the shapes that are fitted
+  std::vector<TileMask> added_tiles_;
   std::vector<SplineFitter> fitters_;  ///< one a thread
 };
 
