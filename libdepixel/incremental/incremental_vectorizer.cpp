@@ -2,18 +2,20 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
+#include <ranges>
+
+#include "libdepixel/incremental/byte_rows.hpp"
 
 namespace depixel {
 namespace {
 
-/// The table is made anew when it holds more curves than this for each pixel of the frame; a frame adds a few
-/// more.
-constexpr double kCurvesAPixel = 1.25, kAddedCurvesAPixel = 0.75;
-constexpr double kFewestCurves = 1 << 14;
+/// The table is made anew when its shapes have more steps than this for each pixel of the frame; a frame adds
+/// a few more.
+constexpr double kPlacesAPixel = 1.25, kAddedPlacesAPixel = 0.75;
+constexpr double kFewestPlaces = 1 << 14;
 
-double most_curves(const Lattice& lattice) {
-  return std::max(kFewestCurves, kCurvesAPixel * lattice.width() * lattice.height());
+double most_places(const Lattice& lattice) {
+  return std::max(kFewestPlaces, kPlacesAPixel * lattice.width() * lattice.height());
 }
 
 /// Where more than this part of the tiles is new, all are taken to be: looking for the others costs more than
@@ -27,27 +29,11 @@ Options of_vectorizing(Options options) {
   return options;
 }
 
-template <typename Value>
-void copy_span(const Lattice& lattice, const RowSpans& spans, const std::vector<Value>& from,
-               std::vector<Value>& to) {
-  for (int y = 0; y < spans.rows(); ++y) {
-    const int first = lattice.pixel(spans[y].from, y);
-    std::copy_n(from.begin() + first, spans[y].length(), to.begin() + first);
-  }
-}
+/// No pixel's: those that nothing shows of are normalized.
+constexpr Rgba kUnknownColour{1, 1, 1, 0};
 
-bool is_opaque_part(const Lattice& lattice, const RowSpans& spans, const std::vector<Rgba>& colours) {
-  std::uint8_t all = 255;
-  for (int y = 0; y < spans.rows(); ++y) {
-    const Rgba* row = colours.data() + lattice.pixel(0, y);
-    for (int x = spans[y].from; x < spans[y].to; ++x) all &= row[x].a;
-  }
-  return all == 255;
-}
-
-void set_all(const Lattice& lattice, RowSpans& spans) {
-  spans.reset(lattice.height());
-  for (int y = 0; y < lattice.height(); ++y) spans.set(y, {0, lattice.width()});
+bool has_whole_components(const Options& options) {
+  return options.similarity == Similarity::merge || options.connect_lines;
 }
 
 }  // namespace
@@ -55,39 +41,37 @@ void set_all(const Lattice& lattice, RowSpans& spans) {
 void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& options) {
   StageClock clock(stats_);
   workers_.set_threads(options.threads);
-  const Lattice lattice(frame.width, frame.height);
-  const bool is_known = options_ && *options_ == of_vectorizing(options) && graph_.lattice == lattice &&
+  const Lattice size(frame.width, frame.height);
+  const bool is_known = options_ && *options_ == of_vectorizing(options) && lattice() == size &&
                         table_.places() <= place_limit_;
   options_ = of_vectorizing(options);
   stats_.changed_pixels = stats_.stale_corners = stats_.changed_tiles = stats_.moved_tiles = 0;
   stats_.crossings = stats_.contours = stats_.nodes = stats_.arcs = stats_.fitted_shapes = 0;
-  if (!is_known) forget(lattice);
-  find_changed_pixels(frame, graph_, changed_pixels_);
-  if (is_known && !changed_pixels_.any()) {
+  if (!is_known) {
+    forget(size);
+    blocks_.set_unknown(size);
+    settle_before();
+  } else if (!blocks_.find_changed_rows(frame, graph())) {
     settle_before();
     changes_.set_nothing();
     clock.finish(0);
     return;
-  }
-  move_ = is_known ? guess_.guess(frame, graph_).value_or(glm::ivec2(0)) : glm::ivec2(0);
-  is_all_stale_ = !is_known || move_ != glm::ivec2(0);
-  if (move_ != glm::ivec2(0)) {
-    move_everything();
-    find_changed_pixels(frame, graph_, changed_pixels_);
   } else {
-    settle_before();
+    blocks_.find(frame, graph(), guess_.guess(frame, graph()));
+    blocks_.any_moved() ? move_blocks_of_map() : settle_before();
   }
-  stats_.changed_pixels = take_changed_pixels(frame, changed_pixels_, graph_);
+  stats_.changed_pixels = blocks_.changed_pixels();
   is_map_made_ = false;
-  relink(frame);
   clock.finish(0);
 
-  resolve();
+  graph_.update(frame, options, blocks_, rules_);
+  stats_.crossings = graph_.crossings();
   clock.finish(1);
 
   recolour();
   encode();
   find_thin();
+  add_seams();
   clock.finish(2);
 
   trace();
@@ -101,16 +85,15 @@ void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& opt
     compare();
   } else {
     changes_.everything = true;
-    // Frames like noise have more curves of their own.
-    place_limit_ = std::max(static_cast<std::size_t>(most_curves(lattice)), 2 * table_.places());
+    // Frames like noise have more shapes of their own.
+    place_limit_ = std::max(static_cast<std::size_t>(most_places(size)), 2 * table_.places());
   }
   count();
-  if (!is_known) stats_.changed_pixels = stats_.pixels;
   clock.finish(5);
 }
 
 void IncrementalVectorizer::count() {
-  const Lattice& lattice = graph_.lattice;
+  const Lattice& lattice = cells_.lattice;
   stats_.pixels = lattice.width() * lattice.height();
   stats_.changed_tiles = changes_.everything ? stats_.pixels : changes_.new_tiles;
   stats_.moved_tiles = changes_.everything ? 0 : changes_.moved_tiles;
@@ -120,18 +103,14 @@ void IncrementalVectorizer::count() {
 
 /// All that was known is void.
 void IncrementalVectorizer::forget(const Lattice& lattice) {
-  graph_.lattice = {};
-  graph_.resize(lattice);
-  frozen_.lattice = {};
-  frozen_.resize(lattice);
-  links_before_.assign(lattice.size(), 0);
+  graph_.reset(lattice);
   cells_.lattice = {};
   cells_.resize(lattice);
   colours_before_.assign(lattice.size(), Rgba{});
-  thin_.assign(lattice.size() + sizeof(std::uint64_t) * 2, 1);  // as all pixels without links are
+  thin_.assign(lattice.size() + sizeof(Byte16), 1);  // as all pixels without links are
   table_.clear();
-  table_.reserve(static_cast<std::size_t>(most_curves(lattice) +
-                                          kAddedCurvesAPixel * lattice.width() * lattice.height()));
+  table_.reserve(static_cast<std::size_t>(most_places(lattice) +
+                                          kAddedPlacesAPixel * lattice.width() * lattice.height()));
   votes_.clear();
   guess_.clear();
   edges_.lattice = lattice;
@@ -140,6 +119,7 @@ void IncrementalVectorizer::forget(const Lattice& lattice) {
   codes_before_ = cells_.corners;
   is_slot_set_.assign(edges_.curve.size(), 0);
   set_curves_.clear();
+  changed_colours_.clear();
   is_before_settled_ = false;
   is_opaque_ = false;
   stats_.segments = 0;
@@ -149,14 +129,13 @@ void IncrementalVectorizer::forget(const Lattice& lattice) {
 void IncrementalVectorizer::settle_before() {
   if (is_before_settled_) {
     for (const SetCurve& set : set_curves_) curves_before_[set.slot] = edges_.curve[set.slot];
-    copy_span(graph_.lattice, changed_colours_, cells_.colours, colours_before_);
+    for (const int pixel : changed_colours_) colours_before_[pixel] = cells_.colours[pixel];
   } else {
     curves_before_ = edges_.curve;
     colours_before_ = cells_.colours;
   }
   is_before_settled_ = true;
   forget_set_curves();
-  changed_colours_.reset(graph_.lattice.height());
 }
 
 void IncrementalVectorizer::forget_set_curves() {
@@ -164,162 +143,121 @@ void IncrementalVectorizer::forget_set_curves() {
   set_curves_.clear();
 }
 
-/// Everything that is known is moved as most of the frame has. What is of this frame becomes that of the
-/// frame before, and what is moved is this frame's until it changes. Nothing is
-/// known of what a move uncovers. All rows are stale then, and every contour that passes a place where what
-/// is known is not what it should be is traced again, as its codes there differ.
-void IncrementalVectorizer::move_everything() {
-  const Lattice& lattice = graph_.lattice;
-  const GridPart pixels = GridPart::pixels(lattice), corners = GridPart::corners(lattice);
-  move_entries(pixels, move_, Rgba{}, graph_.pixels, graph_.pixels);
-  move_entries(pixels, move_, std::uint8_t{0}, frozen_.links, frozen_.links);
-  move_entries(pixels, move_, std::uint8_t{0}, links_before_, links_before_);
-  move_entries(pixels, move_, std::uint8_t{0}, thin_, thin_);
-  move_entries(pixels, move_, Rgba{}, cells_.colours, colours_before_);
-  move_entries(corners, move_, CornerCode{}, cells_.corners, codes_before_);
-  move_entries(corners.times(2), {2 * move_.x, move_.y}, 0, edges_.curve, curves_before_);
+/// What is of this frame becomes that of the frame before; and, moved as its blocks were, that of this frame
+/// until it changes. Nothing is known of what a move uncovers.
+void IncrementalVectorizer::move_blocks_of_map() {
+  const GridPart pixels = GridPart::pixels(lattice());
   std::swap(cells_.colours, colours_before_);
   std::swap(cells_.corners, codes_before_);
   std::swap(edges_.curve, curves_before_);
+  move_blocks(blocks_, pixels, kUnknownColour, colours_before_, cells_.colours);
+  move_blocks(blocks_, GridPart::corners(lattice()), CornerCode{}, codes_before_, cells_.corners);
+  move_blocks(blocks_, GridPart::corners(lattice(), 2), 0, curves_before_, edges_.curve);
+  moved_ = thin_;
+  move_blocks(blocks_, pixels, std::uint8_t{0}, moved_, thin_);
   const auto hidden = std::count(edges_.curve.begin(), edges_.curve.end(), 0);
   stats_.segments = static_cast<int>(static_cast<std::ptrdiff_t>(edges_.curve.size()) - hidden);
   is_before_settled_ = false;
   forget_set_curves();
 }
 
-bool IncrementalVectorizer::has_whole_components() const {
-  return options_->similarity == Similarity::merge || options_->connect_lines;
-}
-
-/// Rule::links_by_pixels.
-void IncrementalVectorizer::relink(const FrameView& frame) {
-  const Lattice& lattice = graph_.lattice;
-  if (has_whole_components()) {
-    build_similarity_graph(frame, options_->similarity, options_->connect_lines, graph_);
-    frozen_.links = graph_.links;
-    set_all(lattice, changed_frozen_);
-    return;
-  }
-  changed_frozen_.reset(lattice.height());
-  row_before_.resize(lattice.width());
-  for (int y = 0; y < lattice.height(); ++y) {
-    // The block row reads the pixels of this row and the next.
-    const bool is_stale = is_all_stale_ || !changed_pixels_.is_empty(y) ||
-                          (rules_.has(Rule::links_by_pixels) && !changed_pixels_.is_empty(y + 1));
-    if (!is_stale) continue;
-    const std::uint8_t* row = frozen_.links.data() + lattice.pixel(0, y);
-    std::copy_n(row, lattice.width(), row_before_.begin());
-    link_exact_rows(graph_, y, y + 1, frozen_.links);
-    changed_frozen_.set(y, differing_part(row, row_before_.data(), lattice.width()));
-  }
-}
-
-/// Where nothing is known of links, or they reach over whole components, all crossings are resolved; else
-/// only those whose votes may have changed.
-void IncrementalVectorizer::resolve() {
-  const Lattice& lattice = graph_.lattice;
-  changed_links_.reset(lattice.height());
-  if (!changed_frozen_.any() && !is_all_stale_) return;
-  const CrossingVotes votes{options_->curve_weight, options_->sparse_weight, options_->island_weight};
-  if (is_all_stale_ || has_whole_components()) {
-    graph_.links = frozen_.links;
-    stats_.crossings = resolve_crossings(graph_, votes, crossings_);
-  } else {
-    copy_span(lattice, changed_frozen_, frozen_.links, graph_.links);
-    const std::vector<int>& stale =
-        stale_crossings_.find(frozen_, changed_frozen_, rules_, crossings_.neighbours);
-    resolve_some_crossings(frozen_, stale, votes, crossings_, graph_.links);
-    stats_.crossings = static_cast<int>(stale.size());
-  }
-  for (int y = 0; y < lattice.height(); ++y) {
-    const int first = lattice.pixel(0, y);
-    const std::uint8_t *now = graph_.links.data() + first, *before = links_before_.data() + first;
-    if (std::memcmp(now, before, lattice.width()) == 0) continue;
-    changed_links_.set(y, differing_part(now, before, lattice.width()));
-  }
-  copy_span(lattice, changed_links_, graph_.links, links_before_);
-}
-
 void IncrementalVectorizer::recolour() {
-  const Lattice& lattice = graph_.lattice;
-  if (!has_whole_components()) {
-    changed_colours_ = changed_pixels_;
-    copy_span(lattice, changed_colours_, graph_.pixels, cells_.colours);
-    // What was opaque stays so unless something transparent comes.
-    is_opaque_ = is_opaque_ && !is_all_stale_ ? is_opaque_part(lattice, changed_colours_, cells_.colours)
-                                              : depixel::is_opaque(lattice, cells_.colours);
-    return;
+  if (has_whole_components(*options_)) {
+    unpainted_ = cells_.colours;
+    label_components(graph(), components_);
+    find_majority_colours(graph(), components_);
+    paint_cells(graph(), &components_, cells_);
+    find_changed_colours(graph_.stale(), unpainted_);
+  } else {
+    find_changed_colours(blocks_.changed(), graph().pixels);
+    for (const int pixel : changed_colours_) cells_.colours[pixel] = graph().pixels[pixel];
   }
-  label_components(graph_, components_);
-  find_majority_colours(graph_, components_);
-  paint_cells(graph_, &components_, cells_);
-  is_opaque_ = depixel::is_opaque(lattice, cells_.colours);
-  if (is_all_stale_) {  // they are to be compared with those that were moved, and these are painted over
-    set_all(lattice, changed_colours_);
-    return;
-  }
-  changed_colours_.reset(lattice.height());
-  for (int y = 0; y < lattice.height(); ++y) {
-    const int first = lattice.pixel(0, y);
-    changed_colours_.set(
-        y, differing_part(cells_.colours.data() + first, colours_before_.data() + first, lattice.width()));
+  // What was opaque stays so unless something transparent comes.
+  is_opaque_ = is_opaque_ ? std::all_of(changed_colours_.begin(), changed_colours_.end(),
+                                        [&](int pixel) { return cells_.colours[pixel].a == 255; })
+                          : depixel::is_opaque(lattice(), cells_.colours);
+}
+
+/// Finds the pixels of some blocks that have other colours than the cells.
+void IncrementalVectorizer::find_changed_colours(const BlockSet& blocks, const std::vector<Rgba>& others) {
+  changed_colours_.clear();
+  for (int y = 0; y < lattice().height(); ++y) {
+    const int first = lattice().pixel(0, y);
+    for (const BlockSet::Run run : blocks.runs(y)) {
+      for (int i = first + run.from; i < first + run.to; ++i) {
+        if (cells_.colours[i] != others[i]) changed_colours_.push_back(i);
+      }
+    }
   }
 }
 
-/// Encodes a part of a row of corners and finds those whose code differs.
-void IncrementalVectorizer::encode_part(int y, Span part) {
-  const Lattice& lattice = graph_.lattice;
-  static_assert(sizeof(CornerCode) == 1);
-  const int first = lattice.corner(0, y), count = lattice.width() + 1;
-  const auto* codes = reinterpret_cast<const std::uint8_t*>(cells_.corners.data()) + first;
-  std::copy_n(codes, count, row_before_.begin());
-  encode_corners(graph_, has_whole_components() ? &components_ : nullptr, y, part.from,
-                 std::min(part.to, count), cells_);
-  const Span span = differing_part(codes, row_before_.data(), count);
-  for (int x = span.from; x < span.to; ++x) {
-    if (codes[x] != row_before_[x]) add_stale(first + x, CornerCode(row_before_[x]));
-  }
-}
-
-/// Rule::codes_by_links and Rule::codes_by_colours.
+/// Rule::codes_by_pixels and Rule::codes_by_crossings.
 void IncrementalVectorizer::encode() {
-  const Lattice& lattice = graph_.lattice;
-  const bool is_everything = is_all_stale_ || has_whole_components();
   stale_.clear();
   stale_codes_.clear();
-  row_before_.resize(lattice.width() + 1);
-  for (int y = 0; y <= lattice.height(); ++y) {
-    // The row's blocks have their north-west pixels in row y - 1; what changed in a column of blocks, or of
-    // pixels, concerns the corners on either side.
-    const auto changed = [&](const RowSpans& spans, Rule rule) {
-      return rules_.has(rule) ? united({spans.at(y - 1), spans.at(y), Span{}}) : Span{};
-    };
-    Span part = united({changed(changed_links_, Rule::codes_by_links),
-                        changed(changed_colours_, Rule::codes_by_colours), Span{}});
-    if (is_everything) part = {0, lattice.width()};
-    if (!part.is_empty()) encode_part(y, {part.from, part.to + 1});
+  if (!rules_.has(Rule::codes_by_pixels) && blocks_.is_known()) return;
+  for (int y = 0; y <= lattice().height(); ++y) {
+    const auto runs = graph_.stale().runs(std::min(y, lattice().height() - 1));
+    if (!runs.empty()) encode_row(y, runs);
   }
 }
 
-/// Rule::thin_by_links; and contours along pixels that are thin no longer, or now, are stale.
+/// Encodes the stale corners of a row and finds those whose code differs.
+void IncrementalVectorizer::encode_row(int y, std::span<const BlockSet::Run> runs) {
+  static_assert(sizeof(CornerCode) == 1);
+  const int width = lattice().width(), first = lattice().corner(0, y);
+  const auto* codes = reinterpret_cast<const std::uint8_t*>(cells_.corners.data()) + first;
+  const Components* components = has_whole_components(*options_) ? &components_ : nullptr;
+  // From the last to the first: what is written beyond a run's end was looked at before.
+  for (const BlockSet::Run run : runs | std::views::reverse) {
+    const int from = run.from, end = run.to == width ? width + 1 : run.to;
+    row_before_.assign(codes + from, codes + end + sizeof(Byte16));
+    encode_corners(graph(), components, y, from, end, cells_);
+    for_each_difference(codes + from, row_before_.data(), end - from,
+                        [&](int i) { add_stale(first + from + i, CornerCode(row_before_[i])); });
+  }
+}
+
+/// Rule::thin_by_links.
 void IncrementalVectorizer::find_thin() {
   if (options_->smoothing != Smoothing::energy || !rules_.has(Rule::thin_by_links)) return;
-  const Lattice& lattice = graph_.lattice;
-  const int stride = lattice.stride();
-  for (int y = 0; y < lattice.height(); ++y) {
-    if (!is_all_stale_ && changed_links_.is_empty(y - 1) && changed_links_.is_empty(y)) continue;
-    const int first = lattice.pixel(0, y);
-    const std::uint8_t* thin = thin_.data() + first;
-    std::copy_n(thin, lattice.width(), row_before_.begin());
-    find_thin_pixels(graph_, y, y + 1, thin_);
+  for (int y = 0; y < lattice().height(); ++y) {
+    if (!graph_.stale().runs(y).empty()) find_thin_row(y);
+  }
+}
+
+/// Rule::curves_by_thin: contours along pixels that are thin no longer, or now, are stale.
+void IncrementalVectorizer::find_thin_row(int y) {
+  const int first = lattice().pixel(0, y), stride = lattice().stride();
+  const std::uint8_t* thin = thin_.data() + first;
+  for (const BlockSet::Run run : graph_.stale().runs(y) | std::views::reverse) {
+    row_before_.assign(thin + run.from, thin + run.to + sizeof(Byte16));
+    find_thin_pixels(graph(), y, run.from, run.to, thin_);
     if (!rules_.has(Rule::curves_by_thin)) continue;
-    const Span span = differing_part(thin, row_before_.data(), lattice.width());
-    for (int x = span.from; x < span.to; ++x) {
-      if (thin[x] == row_before_[x]) continue;
-      for (const int corner : {first + x - stride - 1, first + x - stride, first + x - 1, first + x}) {
+    for_each_difference(thin + run.from, row_before_.data(), run.to - run.from, [&](int i) {
+      const int pixel = first + run.from + i;
+      for (const int corner : {pixel - stride - 1, pixel - stride, pixel - 1, pixel}) {
         const CornerCode code = cells_.corners[corner];
         if (code.visible_edges() != 0) add_stale(corner, code);
       }
+    });
+  }
+}
+
+/// Rule::curves_by_seams: contours that cross a seam are stale.
+void IncrementalVectorizer::add_seams() {
+  if (!rules_.has(Rule::curves_by_seams)) return;
+  const BlockGrid& grid = blocks_.grid();
+  const auto add = [&](int x, int y, Direction across) {
+    const int corner = lattice().corner(x, y);
+    if (cells_.corners[corner].is_visible(across)) add_stale(corner, cells_.corners[corner]);
+  };
+  // Corners move with the blocks at their south-east: each block holds those at its west and north.
+  for (const auto& [column, row, step] : blocks_.seams()) {
+    if (step == glm::ivec2(-1, 0)) {
+      for (int y = grid.first_y(row); y <= grid.end_y(row); ++y) add(grid.first_x(column), y, kWest);
+    } else if (step == glm::ivec2(0, -1)) {
+      for (int x = grid.first_x(column); x <= grid.end_x(column); ++x) add(x, grid.first_y(row), kNorth);
     }
   }
 }
@@ -331,7 +269,7 @@ void IncrementalVectorizer::add_stale(int corner, CornerCode before) {
 
 /// Rule::edges_by_codes.
 void IncrementalVectorizer::remove_edges() {
-  const std::array<int, 4> step = graph_.lattice.step_offsets();
+  const std::array<int, 4> step = lattice().step_offsets();
   for (std::size_t i = 0; i < stale_.size(); ++i) {
     const CornerCode now = cells_.corners[stale_[i]];
     auto gone = static_cast<unsigned>(stale_codes_[i].visible_edges() & ~now.visible_edges());
@@ -367,12 +305,11 @@ void IncrementalVectorizer::set_curve(int slot, int number) {
 }
 
 void IncrementalVectorizer::fit() {
-  const Lattice& lattice = graph_.lattice;
-  const std::array<int, 4> step = lattice.step_offsets();
+  const std::array<int, 4> step = lattice().step_offsets();
   votes_.start_frame();
   for (Arc& arc : arcs_.list) {
     arc.place = table_.place_of(arcs_.words(arc), arc.kind);
-    votes_.see(arc.place, arcs_.corner[arc.first], arc.count, lattice);
+    votes_.see(arc.place, arcs_.corner[arc.first], arc.count, lattice());
   }
   stats_.fitted_shapes = table_.fit_added(options_->smoothing, workers_);
   for (const Arc& arc : arcs_.list) {
@@ -402,14 +339,10 @@ void IncrementalVectorizer::join() {
 }
 
 void IncrementalVectorizer::compare() {
-  const MapPair maps{graph_.lattice, table_,        edges_.curve,   curves_before_,
+  const MapPair maps{lattice(),      table_,        edges_.curve,   curves_before_,
                      cells_.corners, codes_before_, cells_.colours, colours_before_};
-  comparison_.find_new(maps, move_, set_curves_, changed_colours_, rules_, changes_);
-  moves_.clear();
-  if (move_ != glm::ivec2(0)) moves_.emplace_back(0);
-  const std::vector<glm::ivec2>& voted = votes_.most_voted();
-  moves_.insert(moves_.end(), voted.begin(), voted.end());
-  comparison_.find_moved(maps, set_curves_, moves_, changes_);
+  comparison_.find_new(maps, blocks_, set_curves_, changed_colours_, rules_, changes_);
+  comparison_.find_moved(maps, blocks_, set_curves_, votes_.most_voted(), changes_);
   std::for_each(changes_.moves.rbegin(), changes_.moves.rend(),
                 [&](glm::ivec2 move) { guess_.remember(move); });
   if (changes_.new_tiles > kMostNew * lattice().width() * lattice().height()) changes_.everything = true;
@@ -422,14 +355,12 @@ const PlanarMap& IncrementalVectorizer::map() const {
 }
 
 std::size_t IncrementalVectorizer::memory_bytes() const {
-  return graph_.memory_bytes() + frozen_.memory_bytes() + stale_crossings_.memory_bytes() +
-         held_bytes(links_before_, colours_before_, thin_, stale_, stale_codes_, curves_before_, set_curves_,
-                    is_slot_set_, codes_before_, moves_, row_before_) +
-         crossings_.memory_bytes() + components_.memory_bytes() + cells_.memory_bytes() +
-         changed_pixels_.memory_bytes() + changed_frozen_.memory_bytes() + changed_links_.memory_bytes() +
-         changed_colours_.memory_bytes() + contours_.memory_bytes() + arcs_.memory_bytes() +
-         votes_.memory_bytes() + guess_.memory_bytes() + table_.memory_bytes() + edges_.memory_bytes() +
-         comparison_.memory_bytes() + changes_.memory_bytes() + map_.memory_bytes();
+  return graph_.memory_bytes() + blocks_.memory_bytes() + components_.memory_bytes() + cells_.memory_bytes() +
+         held_bytes(colours_before_, changed_colours_, thin_, stale_, stale_codes_, curves_before_,
+                    set_curves_, is_slot_set_, codes_before_, row_before_, moved_, unpainted_) +
+         contours_.memory_bytes() + arcs_.memory_bytes() + votes_.memory_bytes() + guess_.memory_bytes() +
+         table_.memory_bytes() + edges_.memory_bytes() + comparison_.memory_bytes() +
+         changes_.memory_bytes() + map_.memory_bytes();
 }
 
 }  // namespace depixel

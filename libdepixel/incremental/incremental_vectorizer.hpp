@@ -3,13 +3,12 @@
 #include <optional>
 #include <vector>
 
-#include "libdepixel/incremental/frame_diff.hpp"
+#include "libdepixel/incremental/block_moves.hpp"
+#include "libdepixel/incremental/incremental_graph.hpp"
 #include "libdepixel/incremental/map_comparison.hpp"
 #include "libdepixel/incremental/move_guess.hpp"
 #include "libdepixel/incremental/move_votes.hpp"
-#include "libdepixel/incremental/moved_grid.hpp"
 #include "libdepixel/incremental/rules.hpp"
-#include "libdepixel/incremental/stale_crossings.hpp"
 #include "libdepixel/pipeline/vectorizer.hpp"
 
 namespace depixel {
@@ -17,9 +16,10 @@ namespace depixel {
 /// Vectorizes successive frames of a sequence: the same maps as a Vectorizer's, bit for bit, for work that
 /// follows what changed. What a change makes stale is told by the rules in rules.hpp.
 ///
-/// What only moved, as when a game scrolls in one layer or several, is not searched for but found by its
-/// shape: links and codes are cheap to compute anew, sixteen at a time, and contours have their splines from
-/// the table of shapes. Where tiles of the map moved as they were is told in changes(), for rasterisers.
+/// What moved, as when a game scrolls in one layer or several, is moved, with all that is known of it, and is
+/// like all else that did not change. What a move does not explain costs little more than what it is: links
+/// and codes are cheap to compute anew, sixteen at a time, and contours have their splines from the table of
+/// shapes. Where tiles of the map moved as they were is told in changes(), for rasterisers.
 class IncrementalVectorizer {
  public:
   explicit IncrementalVectorizer(RuleSet rules = {}) : rules_(rules) {}
@@ -32,12 +32,12 @@ class IncrementalVectorizer {
   /// Where the map differs from that of the call before.
   const MapChanges& changes() const { return changes_; }
 
-  const SimilarityGraph& graph() const { return graph_; }  ///< resolved
+  const SimilarityGraph& graph() const { return graph_.resolved(); }
   const CellGraph& cells() const { return cells_; }
   const EdgeMap& edges() const { return edges_; }
   const SplineTable& table() const { return table_; }
   const std::vector<Rgba>& colours() const { return cells_.colours; }
-  const Lattice& lattice() const { return graph_.lattice; }
+  const Lattice& lattice() const { return graph_.lattice(); }
   /// True where nothing of the frame lets anything through.
   bool is_opaque() const { return is_opaque_; }
   /// The map as a list of segments; made when it is asked for, and kept until the next frame.
@@ -48,14 +48,14 @@ class IncrementalVectorizer {
   void forget(const Lattice& lattice);
   void settle_before();
   void forget_set_curves();
-  void move_everything();
-  bool has_whole_components() const;
-  void relink(const FrameView& frame);
-  void resolve();
+  void move_blocks_of_map();
   void recolour();
-  void encode_part(int y, Span part);
+  void find_changed_colours(const BlockSet& blocks, const std::vector<Rgba>& others);
   void encode();
+  void encode_row(int y, std::span<const BlockSet::Run> runs);
   void find_thin();
+  void find_thin_row(int y);
+  void add_seams();
   void add_stale(int corner, CornerCode before);
   void remove_edges();
   void trace();
@@ -70,17 +70,15 @@ class IncrementalVectorizer {
   std::optional<Options> options_;  ///< of the frame before; none at first
   Workers workers_;
 
-  SimilarityGraph graph_;
-  SimilarityGraph frozen_;  ///< its links: before crossings are resolved
-  std::vector<std::uint8_t> links_before_;
-  StaleCrossings stale_crossings_;
-  CrossingScratch crossings_;
+  MoveGuess guess_;
+  BlockMoves blocks_;
+  IncrementalGraph graph_;
   Components components_;
   CellGraph cells_;
   std::vector<Rgba> colours_before_;
+  std::vector<int> changed_colours_;  ///< pixels whose colours are not those moved here
   bool is_opaque_ = false;
   std::vector<std::uint8_t> thin_;
-  RowSpans changed_pixels_, changed_frozen_, changed_links_, changed_colours_;
 
   std::vector<int> stale_;               ///< corners whose contours are to be traced again
   std::vector<CornerCode> stale_codes_;  ///< what their codes were
@@ -97,14 +95,11 @@ class IncrementalVectorizer {
   std::vector<CornerCode> codes_before_;   ///< read where the frame moved
   bool is_before_settled_ = false;  ///< what is called before is as it is now, but for what was set since
 
-  MoveGuess guess_;
-  glm::ivec2 move_{0};         ///< of all that was known, before anything else was done for this frame
-  bool is_all_stale_ = false;  ///< all rows are computed anew, and compared
-  std::vector<glm::ivec2> moves_;
   MapComparison comparison_;
   MapChanges changes_;
 
-  std::vector<std::uint8_t> row_before_;  ///< scratch
+  std::vector<std::uint8_t> row_before_, moved_;  ///< scratch
+  std::vector<Rgba> unpainted_;                   ///< scratch
   mutable PlanarMap map_;
   mutable bool is_map_made_ = false;
   VectorizeStats stats_;

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "libdepixel/core/simd.hpp"
+#include "libdepixel/incremental/byte_rows.hpp"
 
 namespace depixel {
 namespace {
@@ -17,26 +18,25 @@ std::array<int, 4> edges_round(int pixel, int stride) {
           edge_slot(pixel - stride, true)};
 }
 
-template <typename Value>
-void for_each_difference(const Value* a, const Value* b, int count, const auto& visit) {
-  static_assert(sizeof(Value) == sizeof(std::uint32_t));
-  int i = 0;
-  for (; i + kWordLanes <= count; i += kWordLanes) {
-    const Word4 differing = load_vector<Word4>(a + i) ^ load_vector<Word4>(b + i);
-    std::array<std::uint64_t, 2> halves;
-    std::memcpy(halves.data(), &differing, sizeof differing);
-    if ((halves[0] | halves[1]) == 0) continue;
-    for (int k = i; k < i + kWordLanes; ++k) {
-      if (!(a[k] == b[k])) visit(k);
-    }
-  }
-  for (; i < count; ++i) {
-    if (!(a[i] == b[i])) visit(i);
-  }
+/// Whether sixteen bytes from two places on are equal.
+bool are_equal(const void* a, const void* b) {
+  const auto halves =
+      std::bit_cast<std::array<std::uint64_t, 2>>(load_vector<Byte16>(a) ^ load_vector<Byte16>(b));
+  return (halves[0] | halves[1]) == 0;
 }
+
+/// What is known of a tile: nothing, that it may not be what its block's move brings, and that it is not.
+constexpr std::uint8_t kMaybe = 1, kDiffers = 2;
 
 /// Where less than one part in so many of the tiles is new, looking for moves costs more than it saves.
 constexpr int kLeastPart = 32;
+
+/// What tiles that moved so have; a move that is not known yet is to be added.
+std::uint8_t value_of(glm::ivec2 move, const MapChanges& changes) {
+  if (move == glm::ivec2(0)) return MapChanges::kSame;
+  const auto known = std::find(changes.moves.begin(), changes.moves.end(), move);
+  return static_cast<std::uint8_t>(MapChanges::kMoved + (known - changes.moves.begin()));
+}
 
 /// Whether some of the new curves, taken as samples, were elsewhere before.
 bool is_likely(const MapPair& maps, std::span<const SetCurve> set, glm::ivec2 move) {
@@ -60,73 +60,72 @@ bool is_likely(const MapPair& maps, std::span<const SetCurve> set, glm::ivec2 mo
 void MapComparison::mark(const MapPair& maps, int slot, int now, int before) {
   std::uint8_t* tiles = differs_.data() + slot / 2;
   auto touched = static_cast<unsigned>(maps.table.tiles(now) | maps.table.tiles(before));
-  for (; touched != 0; touched &= touched - 1) tiles[tile_offsets_[std::countr_zero(touched)]] = 1;
+  for (; touched != 0; touched &= touched - 1) tiles[tile_offsets_[std::countr_zero(touched)]] = kDiffers;
 }
 
-void MapComparison::find_new(const MapPair& maps, glm::ivec2 move, std::span<const SetCurve> set,
-                             const RowSpans& colours, RuleSet rules, MapChanges& changes) {
+void MapComparison::mark_tiles(const Lattice& lattice, glm::ivec2 across, glm::ivec2 down) {
+  for (int y = down[0]; y < down[1]; ++y) {
+    std::uint8_t* row = differs_.data() + lattice.pixel(0, y);
+    std::fill(row + across[0], row + std::max(across[0], across[1]), kMaybe);
+  }
+}
+
+void MapComparison::find_new(const MapPair& maps, const BlockMoves& blocks, std::span<const SetCurve> set,
+                             std::span<const int> colours, RuleSet rules, MapChanges& changes) {
   const Lattice& lattice = maps.lattice;
-  const bool is_moved = move != glm::ivec2(0);
   changes.set_nothing();
   changes.tiles.assign(lattice.size(), MapChanges::kSame);
   differs_.assign(lattice.size(), 0);
   for (int bit = 0; bit < 9; ++bit) tile_offsets_[bit] = bit / 3 * lattice.stride() + bit % 3;
-  const int offset = move.y * lattice.stride() + move.x;
-  if (is_moved) {
-    changes.moves.push_back(move);
-    cover(lattice, move, changes.tiles);
-    mark_lost(maps, move);
-  }
+  if (blocks.any_moved()) cover(lattice, blocks, changes);
   if (rules.has(Rule::tiles_by_curves)) {
     for (const SetCurve& curve : set) {
       const int now = maps.curve[curve.slot];
       if (now != curve.before) mark(maps, curve.slot, now, curve.before);
     }
   }
-  const auto mark_colour = [&](int pixel) {
-    if (rules.has(Rule::tiles_by_colours)) differs_[pixel] = 1;
-    if (!rules.has(Rule::tiles_by_side_colours)) return;
+  for (const int pixel : colours) {
+    if (rules.has(Rule::tiles_by_colours)) differs_[pixel] = kDiffers;
+    if (!rules.has(Rule::tiles_by_side_colours)) continue;
     for (const int slot : edges_round(pixel, lattice.stride())) mark(maps, slot, maps.curve[slot], 0);
-  };
-  for (int y = 0; y < colours.rows(); ++y) {
-    // Where the move brings colours from within the frame, they are compared; elsewhere all are new.
-    const bool has_source = y >= move.y && y < lattice.height() + move.y;
-    const Span span = colours[y];
-    const int west = has_source ? std::clamp(std::max(0, move.x), span.from, span.to) : span.to;
-    const int east = std::clamp(std::min(lattice.width(), lattice.width() + move.x), west, span.to);
-    const int first = lattice.pixel(west, y);
-    for (int x = span.from; x < west; ++x) mark_colour(lattice.pixel(x, y));
-    for_each_difference(maps.colours.data() + first, maps.colours_before.data() + first - offset, east - west,
-                        [&](int x) { mark_colour(first + x); });
-    for (int x = east; x < span.to; ++x) mark_colour(lattice.pixel(x, y));
   }
+  if (rules.has(Rule::tiles_by_seams)) mark_seams(lattice, blocks);
   take_new(lattice, changes.tiles);
-  if (is_moved) keep_flat(maps, changes.tiles);
+  if (blocks.any_moved()) keep_flat(maps, changes.tiles);
   count(lattice, changes);
 }
 
-/// Marks edges that a move takes out of the frame, but not farther than to its side: their curves may have
-/// reached into tiles that stay.
-void MapComparison::mark_lost(const MapPair& maps, glm::ivec2 move) {
-  const Lattice& lattice = maps.lattice;
-  const auto mark_one = [&](glm::ivec2 owner, bool southwards) {
-    const glm::ivec2 from = owner - move;
-    if (from.x < 0 || from.y < 0 || from.x > lattice.width() || from.y > lattice.height()) return;
-    const int before = maps.curve_before[edge_slot(lattice.corner(from.x, from.y), southwards)];
-    mark(maps, edge_slot(lattice.corner(owner.x, owner.y), southwards), 0, before);
-  };
-  for (int y = 0; y <= lattice.height(); ++y) mark_one({-1, y}, false);
-  for (int x = 0; x <= lattice.width(); ++x) mark_one({x, -1}, true);
+/// Gives each tile the value of its block's move, and marks those that moves uncover.
+void MapComparison::cover(const Lattice& lattice, const BlockMoves& blocks, MapChanges& changes) {
+  const BlockGrid& grid = blocks.grid();
+  for (int y = 0; y < lattice.height(); ++y) {
+    std::uint8_t* tiles = changes.tiles.data() + lattice.pixel(0, y);
+    for (const BlockMoves::Run& run : blocks.runs(y / BlockGrid::kSide)) {
+      const std::uint8_t value = value_of(run.move, changes);
+      if (value == MapChanges::kMoved + changes.moves.size()) changes.moves.push_back(run.move);
+      std::fill(tiles + run.from, tiles + run.to, value);
+      const bool has_source = y >= run.move.y && y < grid.height + run.move.y;
+      const int west = has_source ? std::clamp(run.move.x, run.from, run.to) : run.to;
+      const int east = std::clamp(grid.width + run.move.x, west, run.to);
+      mark_tiles(lattice, {run.from, west}, {y, y + 1});
+      mark_tiles(lattice, {east, run.to}, {y, y + 1});
+    }
+  }
 }
 
-/// Fills in what a move brings: its own value, and kNew in tiles that it uncovers.
-void MapComparison::cover(const Lattice& lattice, glm::ivec2 move, std::vector<std::uint8_t>& tiles) {
-  for (int y = 0; y < lattice.height(); ++y) {
-    const auto row = tiles.begin() + lattice.pixel(0, y);
-    std::fill_n(row, lattice.width(), MapChanges::kNew);
-    if (y < move.y || y >= lattice.height() + move.y) continue;
-    const int west = std::max(0, move.x), east = std::min(lattice.width(), lattice.width() + move.x);
-    if (west < east) std::fill(row + west, row + east, MapChanges::kMoved);
+/// Rule::tiles_by_seams: marks tiles, whatever they were marked as before, into which curves may reach from
+/// beyond a seam, or whose curves may have a side there.
+void MapComparison::mark_seams(const Lattice& lattice, const BlockMoves& blocks) {
+  constexpr int kReach = 2;
+  const BlockGrid& grid = blocks.grid();
+  const auto side = [](int step, int first, int end) {
+    return step < 0   ? glm::ivec2(first, std::min(first + kReach, end))
+           : step > 0 ? glm::ivec2(std::max(first, end - kReach), end)
+                      : glm::ivec2(first, end);
+  };
+  for (const auto& [column, row, step] : blocks.seams()) {
+    mark_tiles(lattice, side(step.x, grid.first_x(column), grid.end_x(column)),
+               side(step.y, grid.first_y(row), grid.end_y(row)));
   }
 }
 
@@ -192,31 +191,27 @@ bool MapComparison::is_moved(const MapPair& maps, int tile, int offset) {
   // Curves are owned by the nine corners round the one at the tile's north-west; for the first of them, bit 8
   // of a mask is the tile, for the next, bit 7.
   const int first_owner = tile - 2 * stride - 2;
-  for (int row = 0, bit = 8; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column, --bit) {
-      const int slot = edge_slot(first_owner + row * stride + column, false);
-      const int *now = maps.curve.data() + slot, *before = maps.curve_before.data() + slot - 2 * offset;
-      if (((now[0] ^ before[0]) | (now[1] ^ before[1])) == 0) continue;
-      for (const int southwards : {0, 1}) {
-        if (now[southwards] == before[southwards]) continue;
-        const TileMask touched = maps.table.tiles(now[southwards]) | maps.table.tiles(before[southwards]);
-        if ((touched >> bit & 1) != 0) return false;
-      }
+  bool is_same = true;
+  for (int row = 0; row < 3; ++row) {
+    const int slot = edge_slot(first_owner + row * stride, false);
+    const int *now = maps.curve.data() + slot, *before = maps.curve_before.data() + slot - 2 * offset;
+    if (are_equal(now, before) && are_equal(now + 2, before + 2)) continue;
+    for (int k = 0; k < 6; ++k) {
+      if (now[k] == before[k]) continue;
+      const TileMask touched = maps.table.tiles(now[k]) | maps.table.tiles(before[k]);
+      if ((touched >> (8 - 3 * row - k / 2) & 1) != 0) return false;
     }
   }
-  return has_moved_sides(maps, tile, offset);
+  for (int row = 0; row < 4; ++row) {
+    const int first = first_owner + row * stride;
+    is_same &= are_equal(maps.colours.data() + first, maps.colours_before.data() + first - offset);
+  }
+  return is_same || has_moved_sides(maps, tile, offset);
 }
 
 /// Whether the curves in a tile, which are those before, have the colours on their sides that they had.
 bool MapComparison::has_moved_sides(const MapPair& maps, int tile, int offset) {
   const int stride = maps.lattice.stride(), first_owner = tile - 2 * stride - 2;
-  bool is_same = true;
-  for (int row = 0; row < 4; ++row) {
-    const int first = first_owner + row * stride;
-    is_same &= std::memcmp(maps.colours.data() + first, maps.colours_before.data() + first - offset,
-                           4 * sizeof(Rgba)) == 0;
-  }
-  if (is_same) return true;
   const auto differs = [&](int pixel) { return maps.colours[pixel] != maps.colours_before[pixel - offset]; };
   for (int row = 0, bit = 8; row < 3; ++row) {
     for (int column = 0; column < 3; ++column, --bit) {
@@ -232,50 +227,52 @@ bool MapComparison::has_moved_sides(const MapPair& maps, int tile, int offset) {
   return true;
 }
 
-/// Gives new tiles that are what a move brings its value.
-void MapComparison::take_moved(const MapPair& maps, glm::ivec2 move, MapChanges& changes) {
-  constexpr int kAtOnce = sizeof(Byte16);
+/// Gives new tiles that are what a move brings its value. Those that are known to differ from what their own
+/// block's move brings are not compared with that again.
+void MapComparison::take_moved(const MapPair& maps, const BlockMoves& blocks, glm::ivec2 move,
+                               MapChanges& changes) const {
   const Lattice& lattice = maps.lattice;
-  const bool stays = move == glm::ivec2(0);
-  const auto value =
-      stays ? MapChanges::kSame : static_cast<std::uint8_t>(MapChanges::kMoved + changes.moves.size());
+  const std::uint8_t value = value_of(move, changes);
   const int offset = move.y * lattice.stride() + move.x;
-  // Tiles that have one before.
-  const int west = std::max(0, move.x), east = std::min(lattice.width(), lattice.width() + move.x);
-  const int north = std::max(0, move.y), south = std::min(lattice.height(), lattice.height() + move.y);
   int taken = 0;
+  const auto take = [&](int tile) {
+    if (!is_moved(maps, tile, offset)) return;
+    changes.tiles[tile] = value;
+    ++taken;
+  };
+  // Tiles that have one before.
+  const int north = std::max(0, move.y), south = std::min(lattice.height(), lattice.height() + move.y);
   for (int y = north; y < south; ++y) {
-    const int first = lattice.pixel(0, y);
-    for (int x = west; x < east; x += kAtOnce) {
-      const auto is_new = load_vector<Byte16>(changes.tiles.data() + first + x) == MapChanges::kNew;
-      std::uint32_t bits = gather_bits(reinterpret_cast<Byte16>(is_new), 0);
-      if (east - x < kAtOnce) bits &= (1U << (east - x)) - 1;
-      for (; bits != 0; bits &= bits - 1) {
-        const int tile = first + x + std::countr_zero(bits);
-        if (!is_moved(maps, tile, offset)) continue;
-        changes.tiles[tile] = value;
-        ++taken;
-      }
+    for (const BlockMoves::Run& run : blocks.runs(y / BlockGrid::kSide)) {
+      const int from = std::clamp(move.x, run.from, run.to);
+      const int to = std::clamp(lattice.width() + move.x, from, run.to);
+      const int first = lattice.pixel(from, y);
+      const std::uint8_t *tiles = changes.tiles.data() + first, *differs = differs_.data() + first;
+      const bool is_own = run.move == move;
+      for_each_equal(tiles, to - from, MapChanges::kNew, [&](int i) {
+        if (!is_own || differs[i] != kDiffers) take(first + i);
+      });
     }
   }
   if (taken == 0) return;
   changes.new_tiles -= taken;
-  if (stays) return;
+  if (value == MapChanges::kSame) return;
   changes.moved_tiles += taken;
-  changes.moves.push_back(move);
+  if (value == MapChanges::kMoved + changes.moves.size()) changes.moves.push_back(move);
 }
 
-void MapComparison::find_moved(const MapPair& maps, std::span<const SetCurve> set,
+void MapComparison::find_moved(const MapPair& maps, const BlockMoves& blocks, std::span<const SetCurve> set,
                                std::span<const glm::ivec2> moves, MapChanges& changes) {
   const Lattice& lattice = maps.lattice;
+  if (blocks.any_moved()) {
+    for (const glm::ivec2 move : blocks.moves()) take_moved(maps, blocks, move, changes);
+  }
   for (const glm::ivec2 move : moves) {
-    const bool stays = move == glm::ivec2(0);
-    if (!stays && changes.new_tiles * kLeastPart <= lattice.width() * lattice.height()) return;
+    if (changes.new_tiles * kLeastPart <= lattice.width() * lattice.height()) return;
     // Farther ones bring nothing, and those that were tried bring no more.
     const bool is_tried = std::find(changes.moves.begin(), changes.moves.end(), move) != changes.moves.end();
     const bool is_near = std::abs(move.x) < lattice.width() && std::abs(move.y) < lattice.height();
-    if (is_tried || !is_near || (!stays && !is_likely(maps, set, move))) continue;
-    take_moved(maps, move, changes);
+    if (!is_tried && is_near && is_likely(maps, set, move)) take_moved(maps, blocks, move, changes);
   }
 }
 

@@ -7,31 +7,41 @@
 namespace depixel {
 
 /// What a change of the frame makes stale, rule by rule; all that follows from pixels and is kept from frame
-/// to frame is named here, with what it was computed from. IncrementalVectorizer has a function for each
-/// rule.
+/// to frame is named here, with what it was computed from. IncrementalGraph and IncrementalVectorizer have a
+/// function for each rule.
+///
+/// Blocks of 8x8 pixels move, each by the move that explains it best, and all that is known with them. A seam
+/// is where two blocks meet that did not move alike, or a block that moved and the frame's border: what is
+/// known on both sides was not side by side before.
 ///
 /// With merging or connected lines, links and colours depend on whole components: all links, codes and
-/// colours are computed anew then, and compared with those before; the rules from `curves_by_codes` on are
-/// the same.
+/// colours are computed anew then, and compared with those before; the rules from `thin_by_links` on are the
+/// same.
 enum class Rule : std::uint8_t {
   links_by_pixels,       ///< a block's links before crossings are resolved: its four pixels
+  links_by_seams,        ///< these, where it was not those pixels that were side by side
   crossings_by_windows,  ///< what is cut at a crossing: links in the 8x8 window round it
   crossings_by_curves,   ///< what is cut at a crossing: links along the curves that cross, and at their ends
-  codes_by_links,        ///< a corner's code: resolved links of its block and those to the east and south
-  codes_by_colours,      ///< a corner's code, at T-junctions and borders: the colours of its four pixels
+  crossings_by_seams,    ///< what is cut at a crossing: how its curves go on beyond a seam
+  codes_by_pixels,       ///< a corner's code: links and, at T-junctions and borders, colours round it
+  codes_by_crossings,    ///< a corner's code: what is cut at crossings beside it, however far from any change
   thin_by_links,         ///< whether a pixel is thin: resolved links of the four blocks round it
   edges_by_codes,        ///< whether an edge is visible: the codes of its corners
   curves_by_codes,       ///< the curves of a contour: the codes of all its corners
   curves_by_thin,        ///< the curves of a contour: the thin pixels along it
+  curves_by_seams,       ///< the curves of a contour: how it goes on beyond a seam
   joints_by_curves,      ///< where a contour ends at a T-junction: the curves of the one that goes through
   tiles_by_curves,       ///< what a tile shows: the curves in it, before and now
   tiles_by_colours,      ///< what a tile shows: its pixel's colour
-  tiles_by_side_colours  ///< what a tile shows: the colours on the sides of the curves in it
+  tiles_by_side_colours,  ///< what a tile shows: the colours on the sides of the curves in it
+  tiles_by_seams          ///< what a tile shows: curves and colours from beyond a seam
 };
-inline constexpr std::array<std::string_view, 13> kRuleNames{
-    "links_by_pixels", "crossings_by_windows", "crossings_by_curves",  "codes_by_links", "codes_by_colours",
-    "thin_by_links",   "edges_by_codes",       "curves_by_codes",      "curves_by_thin", "joints_by_curves",
-    "tiles_by_curves", "tiles_by_colours",     "tiles_by_side_colours"};
+inline constexpr std::array<std::string_view, 17> kRuleNames{
+    "links_by_pixels",    "links_by_seams",  "crossings_by_windows", "crossings_by_curves",
+    "crossings_by_seams", "codes_by_pixels", "codes_by_crossings",   "thin_by_links",
+    "edges_by_codes",     "curves_by_codes", "curves_by_thin",       "curves_by_seams",
+    "joints_by_curves",   "tiles_by_curves", "tiles_by_colours",     "tiles_by_side_colours",
+    "tiles_by_seams"};
 
 /// The rules that are obeyed. All of them, but in tests that show what goes wrong without one.
 class RuleSet {

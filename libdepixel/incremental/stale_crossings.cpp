@@ -1,17 +1,18 @@
 #include "libdepixel/incremental/stale_crossings.hpp"
 
-#include <algorithm>
 #include <array>
 #include <bit>
+#include <ranges>
+
+#include "libdepixel/incremental/byte_rows.hpp"
 
 namespace depixel {
 namespace {
 
-/// A block's window holds the blocks from this far before to this far behind it, along either axis.
-constexpr int kBefore = 3, kBehind = 4;
-
+/// Whether a pixel has not just two neighbours.
 bool is_end(std::uint8_t neighbours) {
-  return std::popcount(neighbours) != 2;
+  const int but_one = neighbours & (neighbours - 1);
+  return but_one == 0 || (but_one & (but_one - 1)) != 0;
 }
 
 /// The block in which a diagonal link from a pixel lies; -1 for links along sides.
@@ -32,27 +33,31 @@ int diagonal_block(int pixel, int neighbour, int stride) {
 
 }  // namespace
 
-const std::vector<int>& StaleCrossings::find(const SimilarityGraph& frozen, const RowSpans& changed,
-                                             RuleSet rules, std::vector<std::uint8_t>& neighbours) {
-  const Lattice& lattice = frozen.lattice;
+const std::vector<int>& StaleCrossings::find(const SimilarityGraph& frozen, const BlockSet& near,
+                                             std::span<const int> seams, RuleSet rules,
+                                             std::vector<std::uint8_t>& neighbours) {
+  forget(frozen.lattice);
+  for (int y = 0; y < frozen.lattice.height(); ++y) {
+    if (!near.runs(y).empty()) find_in_row(frozen, near, y, rules, neighbours);
+  }
+  if (rules.has(Rule::crossings_by_curves)) {
+    for (const int pixel : changed_pixels_) follow_curves(frozen, pixel, neighbours);
+  }
+  if (rules.has(Rule::crossings_by_seams)) {
+    for (const int pixel : seams) follow_curves(frozen, pixel, neighbours);
+  }
+  return stale_;
+}
+
+void StaleCrossings::forget(const Lattice& lattice) {
   for (const int block : stale_) is_stale_[block] = 0;
   for (const int pixel : visited_) is_visited_[pixel] = 0;
   stale_.clear();
   visited_.clear();
   changed_pixels_.clear();
-  if (static_cast<int>(is_stale_.size()) != lattice.size()) {
-    is_stale_.assign(lattice.size(), 0);
-    is_visited_.assign(lattice.size(), 0);
-  }
-  if (rules.has(Rule::crossings_by_windows)) find_by_windows(frozen, changed);
-  for (int y = 0; y < lattice.height(); ++y) {
-    // A pixel's links lie in the blocks of its own row and of the one above.
-    if (!changed.is_empty(y) || !changed.is_empty(y - 1)) {
-      renew_row(frozen, y, rules.has(Rule::crossings_by_curves), neighbours);
-    }
-  }
-  for (const int pixel : changed_pixels_) follow_curves(frozen, pixel, neighbours);
-  return stale_;
+  if (static_cast<int>(is_stale_.size()) == lattice.size()) return;
+  is_stale_.assign(lattice.size(), 0);
+  is_visited_.assign(lattice.size(), 0);
 }
 
 void StaleCrossings::add(const SimilarityGraph& frozen, int block) {
@@ -61,34 +66,21 @@ void StaleCrossings::add(const SimilarityGraph& frozen, int block) {
   stale_.push_back(block);
 }
 
-void StaleCrossings::find_by_windows(const SimilarityGraph& frozen, const RowSpans& changed) {
-  const Lattice& lattice = frozen.lattice;
-  for (int y = 0; y < lattice.height(); ++y) {
-    Span reached;
-    for (int other = y - kBefore; other <= y + kBehind; ++other) {
-      if (!changed.is_empty(other)) reached = united({reached, changed[other], Span{}});
-    }
-    if (reached.is_empty()) continue;
-    const int from = std::max(0, reached.from - kBehind),
-              to = std::min(lattice.width(), reached.to + kBefore);
-    const std::uint8_t* row = frozen.links.data() + lattice.pixel(0, y);
-    for (int x = from; x < to; ++x) {
-      if ((row[x] & kBothDiagonals) == kBothDiagonals) add(frozen, lattice.pixel(x, y));
-    }
-  }
-}
-
-/// Brings a row of neighbours up to date, and keeps the pixels where they differ.
-void StaleCrossings::renew_row(const SimilarityGraph& frozen, int y, bool follows,
-                               std::vector<std::uint8_t>& neighbours) {
-  const int first = frozen.lattice.pixel(0, y), width = frozen.lattice.width();
-  const std::uint8_t* row = neighbours.data() + first;
-  before_.assign(row, row + width);
-  find_neighbours(frozen, y, y + 1, neighbours);
-  if (!follows) return;
-  const Span span = differing_part(row, before_.data(), width);
-  for (int x = span.from; x < span.to; ++x) {
-    if (row[x] != before_[x]) changed_pixels_.push_back(first + x);
+/// Adds the crossings of a row of pixels, brings its neighbours up to date, and keeps the pixels where they
+/// differ.
+void StaleCrossings::find_in_row(const SimilarityGraph& frozen, const BlockSet& near, int y, RuleSet rules,
+                                 std::vector<std::uint8_t>& neighbours) {
+  const int first = frozen.lattice.pixel(0, y);
+  const std::uint8_t *links = frozen.links.data() + first, *masks = neighbours.data() + first;
+  // From the last run to the first: what is written beyond a run's end was looked at before.
+  for (const BlockSet::Run run : near.runs(y) | std::views::reverse) {
+    const int from = run.from, count = run.to - run.from;
+    before_.assign(masks + from, masks + run.to + sizeof(Byte16));
+    find_neighbours(frozen, y, from, from + count, neighbours);
+    for_each_difference(masks + from, before_.data(), count,
+                        [&](int x) { changed_pixels_.push_back(first + from + x); });
+    if (!rules.has(Rule::crossings_by_windows)) continue;
+    for_each_with_bits(links + from, count, kBothDiagonals, [&](int x) { add(frozen, first + from + x); });
   }
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "libdepixel/incremental/row_spans.hpp"
+#include "libdepixel/incremental/block_set.hpp"
 #include "libdepixel/incremental/rules.hpp"
 #include "libdepixel/stages/similarity_graph.hpp"
 
@@ -13,21 +14,25 @@ namespace depixel {
 class StaleCrossings {
  public:
   /// \param frozen      the frozen graph.
-  /// \param changed     where its links differ from what they were, by block.
-  /// \param neighbours  by find_neighbours(), of the graph as it was; brought up to date.
-  /// \return the crossings with a changed link in their 8x8 window (Rule::crossings_by_windows), and those on
-  /// a
-  ///         curve that ran, or runs, by a pixel whose links changed (Rule::crossings_by_curves); each once.
-  ///         Valid until the next call.
-  const std::vector<int>& find(const SimilarityGraph& frozen, const RowSpans& changed, RuleSet rules,
+  /// \param near        blocks that hold, with those beside them, all links that changed.
+  /// \param seams       pixels with a link to what was not beside them before.
+  /// \param neighbours  by find_neighbours(), of the graph as it was, or was moved; brought up to date.
+  /// \return the crossings in these blocks (Rule::crossings_by_windows), and those on a curve that ran, or
+  ///         runs, by a pixel whose links changed (Rule::crossings_by_curves) or by a seam
+  ///         (Rule::crossings_by_seams); each once. Valid until the next call.
+  const std::vector<int>& find(const SimilarityGraph& frozen, const BlockSet& near,
+                               std::span<const int> seams, RuleSet rules,
                                std::vector<std::uint8_t>& neighbours);
 
-  std::size_t memory_bytes() const { return held_bytes(stale_, is_stale_, visited_, is_visited_, before_); }
+  std::size_t memory_bytes() const {
+    return held_bytes(stale_, is_stale_, visited_, is_visited_, changed_pixels_, before_);
+  }
 
  private:
+  void forget(const Lattice& lattice);
   void add(const SimilarityGraph& frozen, int block);
-  void find_by_windows(const SimilarityGraph& frozen, const RowSpans& changed);
-  void renew_row(const SimilarityGraph& frozen, int y, bool follows, std::vector<std::uint8_t>& neighbours);
+  void find_in_row(const SimilarityGraph& frozen, const BlockSet& near, int y, RuleSet rules,
+                   std::vector<std::uint8_t>& neighbours);
   void follow_curves(const SimilarityGraph& frozen, int pixel, const std::vector<std::uint8_t>& neighbours);
 
   std::vector<int> stale_;

@@ -201,7 +201,7 @@ void cast_votes(const SimilarityGraph& frozen, const CrossingVotes& votes, Cross
 }  // namespace
 
 int resolve_crossings(SimilarityGraph& graph, const CrossingVotes& votes, CrossingScratch& scratch) {
-  find_neighbours(graph, 0, graph.lattice.height(), scratch.neighbours);
+  find_neighbours(graph, scratch.neighbours);
   scratch.crossings.clear();
   for_each_crossing(graph, [&](int block) { scratch.crossings.push_back(block); });
   if (scratch.crossings.empty()) return 0;

@@ -21,8 +21,8 @@ struct EdgeMap {
 /// Calls visit(slot, number) for each step of an arc: the edge's slot and its curve's number.
 /// The arc has its place in the table, and is fitted.
 template <typename Visit>
-void for_each_edge(const Arcs& arcs, const Arc& arc, const SplineTable& table,
-                   const std::array<int, 4>& step, Visit visit) {
+void for_each_edge(const Arcs& arcs, const Arc& arc, const SplineTable& table, const std::array<int, 4>& step,
+                   Visit visit) {
   const int* corner = arcs.corner.data() + arc.first;
   const ShapeWord* word = arcs.word.data() + arc.first;
   for (int k = 0, steps = arc.step_count(); k < steps; ++k) {

@@ -44,23 +44,21 @@ constexpr auto kRest = [] {
 
 }  // namespace
 
-void find_thin_pixels(const SimilarityGraph& graph, int first_row, int end_row,
+void find_thin_pixels(const SimilarityGraph& graph, int y, int from, int to,
                       std::vector<std::uint8_t>& thin) {
-  find_neighbours(graph, first_row, end_row, thin);
-  const Lattice& lattice = graph.lattice;
-  for (int y = first_row; y < end_row; ++y) {
-    std::uint8_t* row = thin.data() + lattice.pixel(0, y);
-    for (int x = 0; x < lattice.width(); x += sizeof(Byte16)) {  // may write into the padding
-      const auto links = load_vector<Byte16>(row + x);
-      const Byte16 but_one = links & (links - 1), but_two = but_one & (but_one - 1);
-      const Byte16 triangles = links & ((links << 1) | (links >> 7));
-      store_vector(row + x, reinterpret_cast<Byte16>((but_two | triangles) == 0) & 1);
-    }
+  find_neighbours(graph, y, from, to, thin);
+  std::uint8_t* row = thin.data() + graph.lattice.pixel(0, y);
+  for (int x = from; x < to; x += sizeof(Byte16)) {  // may write into the padding
+    const auto links = load_vector<Byte16>(row + x);
+    const Byte16 but_one = links & (links - 1), but_two = but_one & (but_one - 1);
+    const Byte16 triangles = links & ((links << 1) | (links >> 7));
+    store_vector(row + x, reinterpret_cast<Byte16>((but_two | triangles) == 0) & 1);
   }
 }
 
 void find_thin_pixels(const SimilarityGraph& graph, std::vector<std::uint8_t>& thin) {
-  find_thin_pixels(graph, 0, graph.lattice.height(), thin);
+  thin.resize(graph.lattice.size() + sizeof(Byte16));
+  for (int y = 0; y < graph.lattice.height(); ++y) find_thin_pixels(graph, y, 0, graph.lattice.width(), thin);
 }
 
 void NodePlacer::add(std::span<const ShapeWord> words, ArcKind kind, Smoothing smoothing, int source,

@@ -13,10 +13,9 @@ namespace depixel {
 /// part of a triangle. `thin` is padded, and a little longer; 1 where a pixel is thin; entries of the padding
 /// mean nothing.
 void find_thin_pixels(const SimilarityGraph& graph, std::vector<std::uint8_t>& thin);
-/// Just some rows of pixels, first_row to before end_row. A pixel's entry depends on the links of the four
-/// blocks round it.
-void find_thin_pixels(const SimilarityGraph& graph, int first_row, int end_row,
-                      std::vector<std::uint8_t>& thin);
+/// Just a part of row y, from .. to - 1, and maybe up to fifteen entries more. A pixel's entry depends on the
+/// links of the four blocks round it. \param thin  has its size.
+void find_thin_pixels(const SimilarityGraph& graph, int y, int from, int to, std::vector<std::uint8_t>& thin);
 
 /// Decides for every node of an arc where it starts, where it would rest and what role it plays, from the
 /// runs of equal steps that the arc is made of.

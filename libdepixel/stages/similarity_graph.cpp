@@ -61,22 +61,27 @@ void link_similar_row(const Rgba* row, int stride, int count, std::uint8_t* link
   }
 }
 
-/// Links rows of blocks, and cuts the links that would leave the frame.
+/// Links a part of a row of blocks, and cuts the links that would leave the frame.
 template <typename LinkRow>
-void link_rows(const SimilarityGraph& graph, int first_row, int end_row, LinkRow link_row,
+void link_part(const SimilarityGraph& graph, int y, int from, int to, LinkRow link_row,
                std::vector<std::uint8_t>& all_links) {
+  constexpr int kBeyond = sizeof(Byte16) - 1;  // entries that may be written beyond the part
   const Lattice& lattice = graph.lattice;
-  const int width = lattice.width(), height = lattice.height();
-  for (int y = first_row; y < end_row; ++y) {
-    const int first = lattice.pixel(0, y);
-    std::uint8_t* links = all_links.data() + first;
-    link_row(graph.pixels.data() + first, lattice.stride(), width, links);
+  const int width = lattice.width(), first = lattice.pixel(0, y);
+  std::uint8_t* links = all_links.data() + first;
+  link_row(graph.pixels.data() + first + from, lattice.stride(), to - from, links + from);
+  if (to + kBeyond >= width) {
     links[width - 1] &= kWestSide;
-    std::fill_n(links + width, sizeof(Byte16) - 1, std::uint8_t{0});
-    if (y + 1 == height) {
-      for (int x = 0; x < width; ++x) links[x] &= kNorthSide;
-    }
+    std::fill_n(links + width, kBeyond, std::uint8_t{0});
   }
+  if (y + 1 < lattice.height()) return;
+  for (int x = from; x < std::min(to + kBeyond, width); ++x) links[x] &= kNorthSide;
+}
+
+template <typename LinkRow>
+void link_all(const SimilarityGraph& graph, LinkRow link_row, std::vector<std::uint8_t>& links) {
+  const Lattice& lattice = graph.lattice;
+  for (int y = 0; y < lattice.height(); ++y) link_part(graph, y, 0, lattice.width(), link_row, links);
 }
 
 void freeze_merged(SimilarityGraph& graph) {
@@ -124,21 +129,24 @@ std::uint8_t SimilarityGraph::neighbours(int pixel) const {
       bit(pixel - 1, kNorthSide) << 6 | bit(pixel - stride - 1, kMainDiagonal) << 7);
 }
 
-void find_neighbours(const SimilarityGraph& graph, int first_row, int end_row,
+void find_neighbours(const SimilarityGraph& graph, int y, int from, int to,
                      std::vector<std::uint8_t>& masks) {
-  const Lattice& lattice = graph.lattice;
-  masks.resize(lattice.size() + sizeof(Byte16));
-  for (int y = first_row; y < end_row; ++y) {
-    const int first = lattice.pixel(0, y);
-    const std::uint8_t* here = graph.links.data() + first;
-    const std::uint8_t* above = here - lattice.stride();
-    for (int x = 0; x < lattice.width(); x += sizeof(Byte16)) {  // may write into the padding
-      const auto h = load_vector<Byte16>(here + x), a = load_vector<Byte16>(above + x);
-      const auto w = load_vector<Byte16>(here + x - 1), aw = load_vector<Byte16>(above + x - 1);
-      const Byte16 mask = ((a >> 1) & 1) | ((a >> 2) & 2) | ((h << 2) & 4) | ((h << 1) & 8) |
-                          ((h << 3) & 16) | ((w << 2) & 32) | ((w << 6) & 64) | ((aw << 5) & 128);
-      store_vector(masks.data() + first + x, mask);
-    }
+  const int first = graph.lattice.pixel(0, y);
+  const std::uint8_t* here = graph.links.data() + first;
+  const std::uint8_t* above = here - graph.lattice.stride();
+  for (int x = from; x < to; x += sizeof(Byte16)) {  // may write into the padding
+    const auto h = load_vector<Byte16>(here + x), a = load_vector<Byte16>(above + x);
+    const auto w = load_vector<Byte16>(here + x - 1), aw = load_vector<Byte16>(above + x - 1);
+    const Byte16 mask = ((a >> 1) & 1) | ((a >> 2) & 2) | ((h << 2) & 4) | ((h << 1) & 8) | ((h << 3) & 16) |
+                        ((w << 2) & 32) | ((w << 6) & 64) | ((aw << 5) & 128);
+    store_vector(masks.data() + first + x, mask);
+  }
+}
+
+void find_neighbours(const SimilarityGraph& graph, std::vector<std::uint8_t>& masks) {
+  masks.resize(graph.lattice.size() + sizeof(Byte16));
+  for (int y = 0; y < graph.lattice.height(); ++y) {
+    find_neighbours(graph, y, 0, graph.lattice.width(), masks);
   }
 }
 
@@ -157,22 +165,20 @@ void load_frame(const FrameView& frame, SimilarityGraph& graph) {
 
 }  // namespace
 
-void link_exact_rows(const SimilarityGraph& graph, int first_row, int end_row,
-                     std::vector<std::uint8_t>& links) {
-  link_rows(graph, first_row, end_row, link_exact_row<true>, links);
+void link_exactly(const SimilarityGraph& graph, int y, int from, int to, std::vector<std::uint8_t>& links) {
+  link_part(graph, y, from, to, link_exact_row<true>, links);
 }
 
 void build_raw_similarity_graph(const FrameView& frame, Similarity similarity, SimilarityGraph& graph) {
   load_frame(frame, graph);
-  link_rows(graph, 0, frame.height,
-            similarity == Similarity::exact ? link_exact_row<false> : link_similar_row, graph.links);
+  link_all(graph, similarity == Similarity::exact ? link_exact_row<false> : link_similar_row, graph.links);
 }
 
 void build_similarity_graph(const FrameView& frame, Similarity similarity, bool connect_lines,
                             SimilarityGraph& graph) {
   if (similarity == Similarity::exact && !connect_lines) {
     load_frame(frame, graph);
-    link_exact_rows(graph, 0, frame.height, graph.links);
+    link_all(graph, link_exact_row<true>, graph.links);
     return;
   }
   build_raw_similarity_graph(frame, similarity, graph);

@@ -48,11 +48,11 @@ struct SimilarityGraph {
   std::size_t memory_bytes() const { return held_bytes(pixels, links); }
 };
 
-/// SimilarityGraph::neighbours() of some rows of pixels at once, first_row to before end_row. Entries of the
-/// padding mean nothing.
+/// SimilarityGraph::neighbours() of all pixels at once. Entries of the padding mean nothing.
 /// \param masks  padded, and a little longer.
-void find_neighbours(const SimilarityGraph& graph, int first_row, int end_row,
-                     std::vector<std::uint8_t>& masks);
+void find_neighbours(const SimilarityGraph& graph, std::vector<std::uint8_t>& masks);
+/// Just a part of row y, from .. to - 1, and maybe up to fifteen entries more. \param masks  has its size.
+void find_neighbours(const SimilarityGraph& graph, int y, int from, int to, std::vector<std::uint8_t>& masks);
 
 /// Index offsets to the eight neighbours, clockwise from north, as in SimilarityGraph::neighbours().
 std::array<int, 8> neighbour_offsets(const Lattice& lattice);
@@ -66,11 +66,10 @@ std::array<int, 8> neighbour_offsets(const Lattice& lattice);
 void build_similarity_graph(const FrameView& frame, Similarity similarity, bool connect_lines,
                             SimilarityGraph& graph);
 
-/// Some rows of it, first_row to before end_row, for exact similarity and without connect-lines: a block's
-/// links depend on its four pixels alone. \param graph  its pixels are read. \param links  padded; only these
-/// rows are written.
-void link_exact_rows(const SimilarityGraph& graph, int first_row, int end_row,
-                     std::vector<std::uint8_t>& links);
+/// A part of row y of it, from .. to - 1, and maybe up to fifteen blocks more, for exact similarity and
+/// without connect-lines: a block's links depend on its four pixels alone. \param graph  its pixels are read.
+/// \param links  padded; only the row's entries are written.
+void link_exactly(const SimilarityGraph& graph, int y, int from, int to, std::vector<std::uint8_t>& links);
 
 /// The links before freezing, as view 0 of the thesis shows them.
 void build_raw_similarity_graph(const FrameView& frame, Similarity similarity, SimilarityGraph& graph);

@@ -88,7 +88,7 @@ class SplineTable {
   std::vector<Shape> shapes_;
   std::size_t fitted_shapes_ = 0;  ///< shapes before this one have their curves
   Index shape_index_, curve_index_, joined_index_;
-  std::vector<int> numbers_;           ///< by place
+  std::vector<int> numbers_;       ///< by place
   std::vector<EdgeCurve> curves_;  ///< entry 0 is nobody's
   std::vector<TileMask> tiles_;
   std::vector<int> fitted_;

@@ -189,8 +189,8 @@ TEST(IncrementalVectorizer, AScrollMovesTiles) {
     const int shapes = both.incremental().stats().fitted_shapes;
     ASSERT_EQ(both.mismatch({hills(-by), {}}), "");
     const VectorizeStats& stats = both.incremental().stats();
-    ASSERT_FALSE(both.incremental().changes().moves.empty());
-    EXPECT_EQ(both.incremental().changes().moves.front(), by);
+    const std::vector<glm::ivec2>& moves = both.incremental().changes().moves;
+    EXPECT_NE(std::find(moves.begin(), moves.end(), by), moves.end());
     EXPECT_LT(stats.changed_tiles, stats.pixels / 4);
     EXPECT_GT(stats.moved_tiles, 2 * stats.changed_tiles);
     EXPECT_LT(stats.fitted_shapes, shapes);  // those that the border cuts

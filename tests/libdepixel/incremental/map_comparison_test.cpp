@@ -149,18 +149,19 @@ RC_GTEST_PROP(MapComparison, MovesNeedNotBeRight, (const Sequence& sequence)) {
           for (const bool southwards : {false, true}) {
             const int slot = edge_slot(lattice.corner(x, y), southwards);
             const int now_at = maps.curve[slot], number_before = maps.curve_before[slot];
-            const bool has_both = now_at != 0 && number_before != 0;
-            const bool is_same = has_both && maps.table.curve(now_at) == maps.table.curve(number_before);
-            if (now_at != number_before && !is_same) set.push_back({slot, number_before});
+            if (now_at != number_before) set.push_back({slot, number_before});
           }
         }
       }
-      RowSpans colours;
-      colours.reset(lattice.height());
-      for (int y = 0; y < lattice.height(); ++y) colours.set(y, {0, lattice.width()});
+      std::vector<int> colours;
+      for (int i = 0; i < lattice.size(); ++i) {
+        if (maps.colours[i] != maps.colours_before[i]) colours.push_back(i);
+      }
+      BlockMoves still;
+      still.set_unknown(lattice);
       MapChanges changes;
-      comparison.find_new(maps, glm::ivec2(0), set, colours, {}, changes);
-      comparison.find_moved(maps, set, moves, changes);
+      comparison.find_new(maps, still, set, colours, {}, changes);
+      comparison.find_moved(maps, still, set, moves, changes);
       check(lattice, changes, before, now);
     }
     edges_before = vectorizer.edges();

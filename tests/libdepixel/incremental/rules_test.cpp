@@ -25,37 +25,45 @@ std::vector<RuleCase> rule_cases() {
                       ".."}),
        ascii_picture({"..",  //
                       "4."})},
-      // The crossing on the left has as sparse a component on either side no more.
+      // All goes one pixel east but for the westernmost block: two white pixels come together where they
+      // meet.
+      {"links_by_seams", ascii_picture({"...4..4.44"}), ascii_picture({"...4..4..4"})},
+      // A component grows by a pixel beside the crossings, and is as sparse as it was no more. Most of the
+      // frame
+      // is empty: where little of it is, all crossings are resolved.
       {"crossings_by_windows",
-       ascii_picture({"..#",  //
-                      "4.4",  //
-                      ".44"}),
-       ascii_picture({"..4",  //
-                      "4.4",  //
-                      ".44"})},
-      // The curve on the left is longer by a link; the crossing lies too far to the right to see it in its
-      // window.
+       ascii_picture({".#.#.....................",  //
+                      "#.#......................",  //
+                      "4.#4....................."}),
+       ascii_picture({".#.#.....................",  //
+                      "#.#4.....................",  //
+                      "4.#4....................."})},
+      // The two curves that cross are as long as each other no more; the westernmost crossings lie too far
+      // from the change to see it in their windows.
       {"crossings_by_curves",
-       ascii_picture({"#4#4.4",  //
-                      "4.4#4."}),
-       ascii_picture({"#4#4.4",  //
-                      "#.4#4."})},
-      // The crossing two rows above the change loses the link that it kept.
-      {"codes_by_links",
-       ascii_picture({".7",  //
-                      "7r",  //
-                      "r7",  //
-                      ".7"}),
-       ascii_picture({".7",  //
-                      "7r",  //
-                      "r7",  //
-                      ".."})},
+       ascii_picture({".4.4.4.4.4.4.4.4.",  //
+                      "4.4.4.4.4.4.4.4.4"}),
+       ascii_picture({".4.4.4.4.4.4.4.4#",  //
+                      "4.4.4.4.4.4.4.4.4"})},
+      // The eastern part goes two pixels west: the lower curve is shorter by as much, and its crossings with
+      // the upper one, far in the west, are cut otherwise.
+      {"crossings_by_seams",
+       ascii_picture({".4.4.4.4.4...4.4.4.4.4.4.4.4.4.4.4.#.4.4.4.",  //
+                      "4.4.4.4.4#4.4.4.4.4.4.4.4.4.4.4.4.4.#.4.4.4"}),
+       ascii_picture({".4.4.4.4.4...4.4.4.4.4.4.4.4.4.4.#.4.4.4.4.",  //
+                      "4.4.4.4.4#4.4.4.4.4.4.4.4.4.4.4.4.#.4.4.4.4"})},
       // The same two pixels are linked before and after, but the junction pairs its contours otherwise.
-      {"codes_by_colours",
+      {"codes_by_pixels",
        ascii_picture({"#5",  //
                       "75"}),
        ascii_picture({"4R",  //
                       "#R"})},
+      // Crossings in the east are cut otherwise, as their curves are.
+      {"codes_by_crossings",
+       ascii_picture({".4.4.4.4.4.4.4.4.",  //
+                      "4.4.4#4.4.4.4.4.4"}),
+       ascii_picture({".4.4.4.4.4.4.4.4.",  //
+                      "4.4.4#..4.4.4.4.4"})},
       {"thin_by_links",
        ascii_picture({".4",  //
                       "55"}),
@@ -77,6 +85,12 @@ std::vector<RuleCase> rule_cases() {
        ascii_picture({"4..",  //
                       "b44",  //
                       "..4"})},
+      // The contours in the west end in others where the east begins, which goes one pixel east.
+      {"curves_by_seams",
+       ascii_picture({"444.4..4.4.",  //
+                      "4..4....4.4"}),
+       ascii_picture({"444.4..44.4",  //
+                      "4..4.....4."})},
       // The lower junction is as it was, but the contour that goes through has another curve.
       {"joints_by_curves",
        ascii_picture({"4.",  //
@@ -101,6 +115,14 @@ std::vector<RuleCase> rule_cases() {
        ascii_picture({"...",  //
                       "44.",  //
                       "##4"})},
+      // Tiles in the east, which goes one pixel east, have curves from beyond the seam in them.
+      {"tiles_by_seams",
+       ascii_picture({"..4.444.4.",  //
+                      "....4.44.4",  //
+                      "...44444.4"}),
+       ascii_picture({"..4.444..4",  //
+                      "....4.444.",  //
+                      "....44444."})},
   };
 }
 
@@ -156,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(All, Rules, testing::Range(0, static_cast<int>(kRuleNam
                          [](const auto& tested) { return std::string(kRuleNames[tested.param]); });
 
 TEST(RuleSet, HoldsAllRulesButThoseTakenAway) {
-  constexpr auto kFirst = Rule::links_by_pixels, kLast = Rule::tiles_by_side_colours;
+  constexpr auto kFirst = Rule::links_by_pixels, kLast = Rule::tiles_by_seams;
   EXPECT_EQ(kRuleNames.size(), static_cast<std::size_t>(kLast) + 1);
   constexpr RuleSet kAll, kSome = kAll.without(kFirst).without(kLast);
   for (std::size_t i = 0; i < kRuleNames.size(); ++i) {

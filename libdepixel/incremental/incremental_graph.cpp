@@ -1,0 +1,174 @@
+#include "libdepixel/incremental/incremental_graph.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "libdepixel/core/normalized_pixels.hpp"
+#include "libdepixel/incremental/byte_rows.hpp"
+
+namespace depixel {
+namespace {
+
+/// With more of the blocks than this part stale, all are taken to be: that is simpler, and no slower.
+constexpr double kMostStale = 0.7;
+
+/// What depends on a link lies at most so many pixels from it.
+constexpr int kLinkReach = 2;
+
+bool has_whole_components(const Options& options) {
+  return options.similarity == Similarity::merge || options.connect_lines;
+}
+
+/// Neighbours of a pixel in the directions that lead, at least partly, along a step; see
+/// SimilarityGraph::neighbours().
+unsigned neighbours_along(glm::ivec2 step) {
+  constexpr std::array<glm::ivec2, 8> kNeighbours{
+      {{0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}}};
+  unsigned mask = 0;
+  for (std::size_t i = 0; i < kNeighbours.size(); ++i) {
+    const glm::ivec2 along = kNeighbours[i] * step;
+    if (along.x > 0 || along.y > 0) mask |= 1U << i;
+  }
+  return mask;
+}
+
+}  // namespace
+
+void IncrementalGraph::reset(const Lattice& lattice) {
+  graph_.lattice = {};
+  graph_.resize(lattice);
+  frozen_.lattice = lattice;
+  frozen_.links.assign(lattice.size(), 0);
+  crossings_.neighbours.assign(lattice.size() + sizeof(Byte16), 0);
+  moved_.assign(crossings_.neighbours.size(), 0);
+}
+
+void IncrementalGraph::update(const FrameView& frame, const Options& options, const BlockMoves& blocks,
+                              RuleSet rules) {
+  const CrossingVotes votes{options.curve_weight, options.sparse_weight, options.island_weight};
+  if (has_whole_components(options)) {
+    stale_.reset(blocks.grid());
+    stale_.add_all();
+    stale_.find_runs();
+    build_similarity_graph(frame, options.similarity, options.connect_lines, graph_);
+    resolved_crossings_ = resolve_crossings(graph_, votes, crossings_);
+    return;
+  }
+  if (blocks.any_moved()) move(blocks);
+  find_near(blocks, rules);
+  take_pixels(frame, blocks);
+  if (rules.has(Rule::links_by_pixels) || !blocks.is_known()) relink();
+  if (near_.has_all()) {
+    stale_ = near_;
+    graph_.links = frozen_.links;
+    resolved_crossings_ = resolve_crossings(graph_, votes, crossings_);
+  } else {
+    resolve_some(votes, blocks, rules);
+  }
+}
+
+void IncrementalGraph::move(const BlockMoves& blocks) {
+  const GridPart pixels = GridPart::pixels(graph_.lattice);
+  for (auto* bytes : {&frozen_.links, &graph_.links, &crossings_.neighbours}) {
+    std::copy(bytes->begin(), bytes->end(), moved_.begin());
+    move_blocks(blocks, pixels, std::uint8_t{0}, moved_, *bytes);
+  }
+}
+
+void IncrementalGraph::find_near(const BlockMoves& blocks, RuleSet rules) {
+  seeds_ = blocks.changed();
+  if (rules.has(Rule::links_by_seams)) {
+    for (const BlockMoves::Seam& seam : blocks.seams()) seeds_.add(seam.column, seam.row);
+  }
+  near_.set_grown(seeds_);
+  const BlockGrid& grid = near_.grid();
+  if (near_.count() > kMostStale * grid.columns * grid.rows) near_.add_all();
+  near_.find_runs();
+}
+
+void IncrementalGraph::take_pixels(const FrameView& frame, const BlockMoves& blocks) {
+  const Lattice& lattice = graph_.lattice;
+  const auto take = [&](int y, int from, int to) {
+    const std::uint8_t* row = frame.pixels + y * frame.pitch;
+    Rgba* known = graph_.pixels.data() + lattice.pixel(0, y);
+    int x = from;
+    for (; x + kWordLanes <= to; x += kWordLanes) {
+      store_vector(known + x, load_normalized(row + sizeof(Rgba) * x));
+    }
+    for (; x < to; ++x) {
+      std::memcpy(known + x, row + sizeof(Rgba) * x, sizeof(Rgba));
+      known[x] = normalized(known[x]);
+    }
+  };
+  for (int y = 0; y < lattice.height(); ++y) {
+    if (blocks.any_moved()) {
+      take(y, 0, lattice.width());
+    } else {
+      for (const BlockSet::Run run : blocks.changed().runs(y)) take(y, run.from, run.to);
+    }
+  }
+}
+
+/// Rule::links_by_pixels.
+void IncrementalGraph::relink() {
+  for (int y = 0; y < graph_.lattice.height(); ++y) {
+    for (const BlockSet::Run run : near_.runs(y)) link_exactly(graph_, y, run.from, run.to, frozen_.links);
+  }
+}
+
+/// Pixels on either side of the seams with a link across.
+void IncrementalGraph::find_seams(const BlockMoves& blocks) {
+  seams_.clear();
+  const BlockGrid& grid = blocks.grid();
+  for (const auto& [column, row, step] : blocks.seams()) {
+    const auto side = [](int step_along, int first, int end) {
+      return step_along < 0   ? glm::ivec2(first, first + 1)
+             : step_along > 0 ? glm::ivec2(end - 1, end)
+                              : glm::ivec2(first, end);
+    };
+    const glm::ivec2 across = side(step.x, grid.first_x(column), grid.end_x(column));
+    const glm::ivec2 down = side(step.y, grid.first_y(row), grid.end_y(row));
+    const unsigned mask = neighbours_along(step);
+    for (int y = down[0]; y < down[1]; ++y) {
+      for (int x = across[0]; x < across[1]; ++x) {
+        const int pixel = graph_.lattice.pixel(x, y);
+        if ((frozen_.neighbours(pixel) & mask) != 0) seams_.push_back(pixel);
+      }
+    }
+  }
+}
+
+/// Crossings whose votes may have changed; outside of near blocks, these alone make others stale.
+void IncrementalGraph::resolve_some(const CrossingVotes& votes, const BlockMoves& blocks, RuleSet rules) {
+  find_seams(blocks);
+  const std::vector<int>& crossings =
+      stale_crossings_.find(frozen_, near_, seams_, rules, crossings_.neighbours);
+  before_.clear();
+  for (const int block : crossings) before_.push_back(graph_.links[block]);
+  thaw();
+  resolve_some_crossings(frozen_, crossings, votes, crossings_, graph_.links);
+  stale_ = near_;
+  for (std::size_t i = 0; i < crossings.size(); ++i) {
+    if (graph_.links[crossings[i]] == before_[i] || !rules.has(Rule::codes_by_crossings)) continue;
+    stale_.add_around(graph_.lattice.pixel_position(crossings[i]), kLinkReach);
+  }
+  stale_.find_runs();
+  resolved_crossings_ = static_cast<int>(crossings.size());
+}
+
+/// Takes over the frozen links of near blocks, but for crossings.
+void IncrementalGraph::thaw() {
+  const Lattice& lattice = graph_.lattice;
+  for (int y = 0; y < lattice.height(); ++y) {
+    const std::uint8_t* from_row = frozen_.links.data() + lattice.pixel(0, y);
+    std::uint8_t* to_row = graph_.links.data() + lattice.pixel(0, y);
+    for (const BlockSet::Run run : near_.runs(y)) {
+      for (int x = run.from; x < run.to; ++x) {
+        const bool is_crossing = (from_row[x] & kBothDiagonals) == kBothDiagonals;
+        to_row[x] = is_crossing ? to_row[x] : from_row[x];
+      }
+    }
+  }
+}
+
+}  // namespace depixel

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "libdepixel/incremental/block_moves.hpp"
+#include "libdepixel/incremental/stale_crossings.hpp"
+#include "libdepixel/stages/crossings.hpp"
+
+namespace depixel {
+
+/// The resolved similarity graph of successive frames: links that may differ from those before are made anew,
+/// and crossings whose votes may. What is known of the frame before is moved as its blocks were.
+class IncrementalGraph {
+ public:
+  /// Forgets all frames.
+  void reset(const Lattice& lattice);
+
+  /// Takes over a frame.
+  /// \param blocks  how the frame differs from the one before.
+  void update(const FrameView& frame, const Options& options, const BlockMoves& blocks, RuleSet rules);
+
+  const SimilarityGraph& resolved() const { return graph_; }
+  const Lattice& lattice() const { return graph_.lattice; }
+  /// Blocks outside which all pixels and resolved links within two pixels are what they were, or were moved
+  /// as these blocks were.
+  const BlockSet& stale() const { return stale_; }
+  /// Crossings that were resolved.
+  int crossings() const { return resolved_crossings_; }
+
+  std::size_t memory_bytes() const {
+    return graph_.memory_bytes() + frozen_.memory_bytes() + seeds_.memory_bytes() + near_.memory_bytes() +
+           stale_.memory_bytes() + stale_crossings_.memory_bytes() + crossings_.memory_bytes() +
+           held_bytes(seams_, before_, moved_);
+  }
+
+ private:
+  void move(const BlockMoves& blocks);
+  void find_near(const BlockMoves& blocks, RuleSet rules);
+  void take_pixels(const FrameView& frame, const BlockMoves& blocks);
+  void relink();
+  void find_seams(const BlockMoves& blocks);
+  void resolve_some(const CrossingVotes& votes, const BlockMoves& blocks, RuleSet rules);
+  void thaw();
+
+  SimilarityGraph graph_;   ///< resolved
+  SimilarityGraph frozen_;  ///< its links alone, before crossings are resolved
+  BlockSet seeds_;          ///< blocks with changed pixels, and those beside a seam
+  BlockSet near_;           ///< these, and those beside them
+  BlockSet stale_;
+  std::vector<int> seams_;  ///< pixels that are linked across one
+  StaleCrossings stale_crossings_;
+  CrossingScratch crossings_;
+  int resolved_crossings_ = 0;
+  std::vector<std::uint8_t> before_;  ///< scratch: links of the stale crossings
+  std::vector<std::uint8_t> moved_;   ///< scratch
+};
+
+}  // namespace depixel
