@@ -1,6 +1,7 @@
 #include "libdepixel/incremental/incremental_graph.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "libdepixel/core/normalized_pixels.hpp"
@@ -116,7 +117,8 @@ void IncrementalGraph::relink() {
   }
 }
 
-/// Pixels on either side of the seams with a link across.
+/// Pixels on either side of the seams with a link across and one other: parts of curves. Where neither of two
+/// linked pixels is, no curve goes on.
 void IncrementalGraph::find_seams(const BlockMoves& blocks) {
   seams_.clear();
   const BlockGrid& grid = blocks.grid();
@@ -132,7 +134,8 @@ void IncrementalGraph::find_seams(const BlockMoves& blocks) {
     for (int y = down[0]; y < down[1]; ++y) {
       for (int x = across[0]; x < across[1]; ++x) {
         const int pixel = graph_.lattice.pixel(x, y);
-        if ((frozen_.neighbours(pixel) & mask) != 0) seams_.push_back(pixel);
+        const std::uint8_t neighbours = frozen_.neighbours(pixel);
+        if ((neighbours & mask) != 0 && std::popcount(neighbours) == 2) seams_.push_back(pixel);
       }
     }
   }

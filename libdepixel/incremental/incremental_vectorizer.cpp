@@ -52,7 +52,6 @@ void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& opt
     blocks_.set_unknown(size);
     settle_before();
   } else if (!blocks_.find_changed_rows(frame, graph())) {
-    settle_before();
     changes_.set_nothing();
     clock.finish(0);
     return;

@@ -116,11 +116,12 @@ void MapComparison::cover(const Lattice& lattice, const BlockMoves& blocks, MapC
 /// Rule::tiles_by_seams: marks tiles, whatever they were marked as before, into which curves may reach from
 /// beyond a seam, or whose curves may have a side there.
 void MapComparison::mark_seams(const Lattice& lattice, const BlockMoves& blocks) {
-  constexpr int kReach = 2;
+  // A tile's curves have their sides from two pixels before it to one behind it.
+  constexpr int kBefore = 2, kBehind = 1;
   const BlockGrid& grid = blocks.grid();
   const auto side = [](int step, int first, int end) {
-    return step < 0   ? glm::ivec2(first, std::min(first + kReach, end))
-           : step > 0 ? glm::ivec2(std::max(first, end - kReach), end)
+    return step < 0   ? glm::ivec2(first, std::min(first + kBefore, end))
+           : step > 0 ? glm::ivec2(end - kBehind, end)
                       : glm::ivec2(first, end);
   };
   for (const auto& [column, row, step] : blocks.seams()) {

@@ -34,6 +34,14 @@ std::uint64_t key_of(std::span<const ShapeWord> words, ArcKind kind) {
   return hash | kIsHash;
 }
 
+std::uint64_t key_of(const EdgeCurve& curve) {
+  const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(curve);
+  return std::rotl(halves[0] * kMultiplier, 29) ^ halves[1];
+}
+
+/// Curves whose entries are fetched before they are looked up.
+constexpr std::size_t kAhead = 8;
+
 /// Shapes are handed to threads in parts of about this many.
 constexpr int kShapesAtOnce = 64;
 
@@ -48,6 +56,10 @@ void SplineTable::Index::clear() {
 
 std::size_t SplineTable::Index::place_of(const std::array<std::uint32_t, 2>& key) const {
   return std::bit_cast<std::uint64_t>(key) * kMultiplier >> shift_;
+}
+
+void SplineTable::Index::prefetch(std::uint64_t key) const {
+  __builtin_prefetch(entries_.data() + place_of(std::bit_cast<std::array<std::uint32_t, 2>>(key)));
 }
 
 void SplineTable::Index::grow() {
@@ -139,6 +151,7 @@ int SplineTable::fit_added(Smoothing smoothing, Workers& workers) {
     });
   }
   for (std::size_t k = 0; k < steps; ++k) {
+    if (k + kAhead < steps) curve_index_.prefetch(key_of(added_curves_[k + kAhead]));
     numbers_[first_place + k] = number_of(added_curves_[k], added_tiles_[k]);
   }
   fitted_shapes_ = shapes_.size();
@@ -147,8 +160,7 @@ int SplineTable::fit_added(Smoothing smoothing, Workers& workers) {
 
 /// The number of a fitted curve; of a new one if it is not known.
 int SplineTable::number_of(const EdgeCurve& curve, TileMask tiles) {
-  const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(curve);
-  const std::uint64_t key = std::rotl(halves[0] * kMultiplier, 29) ^ halves[1];
+  const std::uint64_t key = key_of(curve);
   const auto next = static_cast<int>(curves_.size());
   const int number = curve_index_.find_or_add(key, next, [&](int known) { return curves_[known] == curve; });
   if (number == next) {

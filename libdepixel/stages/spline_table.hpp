@@ -66,6 +66,8 @@ class SplineTable {
     /// Finds an entry of this key for which is_same(number) holds; where there is none, adds `number`.
     template <typename IsSame>
     int find_or_add(std::uint64_t key, int number, IsSame is_same);
+    /// Fetches the place where a key may be.
+    void prefetch(std::uint64_t key) const;
     std::size_t memory_bytes() const { return held_bytes(entries_); }
 
    private:
