@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <cstring>
 
@@ -28,6 +29,13 @@ Vector load_vector(const void* p) {
 template <typename Vector>
 void store_vector(void* p, Vector v) {
   std::memcpy(p, &v, sizeof v);
+}
+
+/// Eight bytes as one word, the first lowest.
+inline std::uint64_t load_bytes(const void* p) {
+  auto word = load_vector<std::uint64_t>(p);
+  if constexpr (std::endian::native == std::endian::big) word = __builtin_bswap64(word);
+  return word;
 }
 
 /// Eight floats that are worked on together; operators act on each lane. Plain IEEE arithmetic, so the bits
@@ -121,6 +129,23 @@ inline Byte16 pack_words(Word4 a, Word4 b, Word4 c, Word4 d) {
     bytes[i + kWordLanes] = static_cast<std::uint8_t>(b[i]);
     bytes[i + 2 * kWordLanes] = static_cast<std::uint8_t>(c[i]);
     bytes[i + 3 * kWordLanes] = static_cast<std::uint8_t>(d[i]);
+  }
+  return bytes;
+#endif
+}
+
+/// Sixteen integers as bytes, in order; those below 0 as 0, those above 255 as 255.
+inline Byte16 pack_levels(Int4 a, Int4 b, Int4 c, Int4 d) {
+#ifdef __SSE2__
+  const auto low = _mm_packs_epi32(reinterpret_cast<__m128i>(a), reinterpret_cast<__m128i>(b));
+  const auto high = _mm_packs_epi32(reinterpret_cast<__m128i>(c), reinterpret_cast<__m128i>(d));
+  return reinterpret_cast<Byte16>(_mm_packus_epi16(low, high));
+#else
+  Byte16 bytes;
+  const Int4 all[] = {a, b, c, d};
+  for (int i = 0; i < 16; ++i) {
+    const std::int32_t v = all[i / kWordLanes][i % kWordLanes];
+    bytes[i] = static_cast<std::uint8_t>(v < 0 ? 0 : v > 255 ? 255 : v);
   }
   return bytes;
 #endif

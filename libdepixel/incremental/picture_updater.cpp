@@ -68,7 +68,6 @@ void PictureUpdater::draw(const IncrementalVectorizer& source, const MapChanges&
   if (!changes.any()) return;
   workers_.set_threads(threads);
   moved_pixels_ = mover_.move(grid, changes, is_stale_);
-  find_strips(grid);
   if (opaque) {
     linear_light ? draw_stale<OpaqueLight>(source, grid) : draw_stale<OpaqueColour>(source, grid);
   } else {
@@ -220,6 +219,16 @@ void PictureUpdater::draw_window(const IncrementalVectorizer& source, const Outp
 
 template <typename Model>
 void PictureUpdater::draw_stale(const IncrementalVectorizer& source, const OutputGrid& grid) {
+  if (TilePainter::fits(grid)) {
+    drawn_pixels_ = painter_.draw<Model>(source, grid, is_stale_, workers_);
+  } else {
+    find_strips(grid);
+    draw_strips<Model>(source, grid);
+  }
+}
+
+template <typename Model>
+void PictureUpdater::draw_strips(const IncrementalVectorizer& source, const OutputGrid& grid) {
   auto& sums = std::get<std::vector<BandSums<Model>>>(sums_);
   const auto threads = static_cast<std::size_t>(workers_.threads());
   if (sums.size() < threads) sums.resize(threads);
@@ -240,7 +249,8 @@ void PictureUpdater::draw_stale(const IncrementalVectorizer& source, const Outpu
 }
 
 std::size_t PictureUpdater::memory_bytes() const {
-  std::size_t bytes = raster_.memory_bytes() + mover_.memory_bytes() + held_bytes(is_stale_, strips_);
+  std::size_t bytes = raster_.memory_bytes() + mover_.memory_bytes() + painter_.memory_bytes() +
+                      held_bytes(is_stale_, strips_);
   for (const Scratch& own : scratch_) bytes += own.flattened.memory_bytes();
   return bytes;
 }

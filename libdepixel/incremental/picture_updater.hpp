@@ -6,6 +6,7 @@
 #include "libdepixel/core/workers.hpp"
 #include "libdepixel/incremental/incremental_vectorizer.hpp"
 #include "libdepixel/incremental/tile_mover.hpp"
+#include "libdepixel/incremental/tile_painter.hpp"
 #include "libdepixel/raster/cpu_raster.hpp"
 #include "libdepixel/raster/flattened_curves.hpp"
 
@@ -14,9 +15,10 @@ namespace depixel {
 /// Keeps a picture of what an IncrementalVectorizer made of frame after frame: the same pixels as
 /// CpuRaster's, bit for bit, but only those are written whose tiles changed.
 ///
-/// What moved is copied. The rest is drawn in windows of some rows of tiles. Beside a window lies a *clear*
-/// tile, whose four corners no visible edge touches: no curve lies in it, so the sum of all that lies left of
-/// it is that tile's own colour, and nothing on its other side need be looked at.
+/// What moved is copied. The rest is drawn by TilePainter, at even whole scales; at others, in windows of
+/// some rows of tiles. Beside a window lies a *clear* tile, whose four corners no visible edge touches: no
+/// curve lies in it, so the sum of all that lies left of it is that tile's own colour, and nothing on its
+/// other side need be looked at.
 class PictureUpdater {
  public:
   /// Draws a view over the whole target.
@@ -59,11 +61,13 @@ class PictureUpdater {
     std::int64_t drawn_pixels = 0;
   };
 
+  template <typename Model>
+  void draw_stale(const IncrementalVectorizer& source, const OutputGrid& grid);
   void find_strips(const OutputGrid& grid);
   void find_windows(const IncrementalVectorizer& source, const OutputGrid& grid, const Strip& strip,
                     Scratch& scratch) const;
   template <typename Model>
-  void draw_stale(const IncrementalVectorizer& source, const OutputGrid& grid);
+  void draw_strips(const IncrementalVectorizer& source, const OutputGrid& grid);
   template <typename Model>
   void draw_window(const IncrementalVectorizer& source, const OutputGrid& grid, const Strip& strip,
                    const Window& window, BandSums<Model>& sums, Scratch& scratch) const;
@@ -71,6 +75,7 @@ class PictureUpdater {
   Workers workers_;
   CpuRaster raster_;
   TileMover mover_;
+  TilePainter painter_;
   Drawn drawn_;
   std::vector<std::uint8_t> is_stale_;  ///< padded, by tile
   std::vector<Strip> strips_;           ///< those with stale tiles

@@ -19,19 +19,18 @@ class TileMover {
   /// frame, nothing can be moved. \return the output pixels that were moved.
   std::int64_t move(const OutputGrid& grid, const MapChanges& changes, std::vector<std::uint8_t>& is_stale);
 
-  std::size_t memory_bytes() const { return held_bytes(runs_, held_); }
+  std::size_t memory_bytes() const;
 
  private:
   /// Neighbouring tiles of a row that move together, from .. to - 1.
   struct Run {
     int row, from, to;
-    std::size_t move;
   };
 
   void find_runs(const OutputGrid& grid, const MapChanges& changes, std::vector<std::uint8_t>& is_stale);
 
-  std::vector<Run> runs_;           ///< by move, in an order in which none reads what another has written
-  std::vector<std::uint8_t> held_;  ///< output pixels on their way
+  std::vector<std::vector<Run>> runs_;  ///< by move, from left to right and down
+  std::vector<std::uint8_t> held_;      ///< output pixels on their way
 };
 
 }  // namespace depixel

@@ -17,24 +17,23 @@ namespace depixel {
 /// A line that goes down adds, to every pixel it crosses, its colour change times the area to its right
 /// inside the pixel, and to the next pixel the rest of the height it covers; a running sum along the row then
 /// gives the colours. All sums are integers. Source: FreeType's smooth rasteriser; font-rs.
-template <typename Model>
+template <typename Model, int kRowCount = 16>
 class BandSums {
  public:
   using Sums = typename Model::Sums;
   using Change = typename Model::Change;
 
-  static constexpr int kRows = 16;
+  static constexpr int kRows = kRowCount;
 
   /// Sets the width of rows, in output pixels. Between bands only, when all rows have been resolved.
   void resize(int width) {
     width_ = width;
     right_ = width * kRasterSubpixels;
-    words_ = width / kWordPixels + 1;
     if (width <= capacity_) return;
     capacity_ = width;
-    word_capacity_ = words_;
+    flag_capacity_ = (width / kGroup / kFlags + 1) * kFlags;
     sums_.assign(std::size_t{kRows} * stride(), Sums{});
-    touched_.assign(std::size_t{kRows} * word_capacity_, 0);
+    touched_.assign(std::size_t{kRows} * flag_capacity_, 0);
   }
 
   /// Starts a band: output rows first_row .. first_row + rows - 1.
@@ -80,39 +79,64 @@ class BandSums {
   Sums total(int row) const {
     const Sums* sums = sums_.data() + row * stride();
     Sums total{};
-    for (int word = 0; word < words_; ++word) {
-      std::uint64_t bits = touched_[std::size_t(row) * word_capacity_ + word];
-      for (; bits != 0; bits &= bits - 1) total += sums[word * kWordPixels + std::countr_zero(bits)];
-    }
+    for_each_touched(row, [&](int first) {
+      for (int x = first; x < first + kGroup; ++x) total += sums[x];
+    });
     return total;
+  }
+
+  /// Calls visit(column, sum) for the pixels of a row that were touched, and maybe for others, from left to
+  /// right, and clears them.
+  template <typename Visit>
+  void take(int row, Visit visit) {
+    Sums* sums = sums_.data() + row * stride();
+    for_each_touched(row, [&](int first) {
+      for (int x = first; x < first + kGroup; ++x) {
+        visit(x, sums[x]);
+        sums[x] = Sums{};
+      }
+    });
+    forget_touched(row);
   }
 
   /// The same for a part of the row: only pixels from .. to - 1 are written.
   /// \param before  the sum of all sums left of the row.
   void resolve(int row, std::uint8_t* out, Sums before, int from, int to) {
     RowState state{sums_.data() + row * stride(), out, before, Model::decode(before), from, to};
-    std::uint64_t* touched = touched_.data() + std::size_t(row) * word_capacity_;
-    for (int word = 0; word < words_; ++word) {
-      const std::uint64_t bits = touched[word];
-      if (bits == 0) continue;
-      touched[word] = 0;
-      const int first = word * kWordPixels;
-      if (first >= from && first + kWordPixels <= to && is_crowded(bits)) {
+    for_each_touched(row, [&](int first) {
+      if (first >= from && first + kGroup <= to) {
         fill(state, first);
-        resolve_all(state, first);
+        resolve_whole(state, first);
       } else {
-        resolve_touched(state, first, bits);
+        resolve_part(state, first);
       }
-    }
+    });
+    forget_touched(row);
     fill(state, to);
   }
 
  private:
-  static constexpr int kWordPixels = 64;
+  /// Pixels that share a flag, and flags that are looked at together.
+  static constexpr int kGroup = kWordLanes, kFlags = sizeof(std::uint64_t);
   static constexpr int kSub = kRasterSubpixels;
   static constexpr int kSubBits = std::countr_zero(static_cast<unsigned>(kSub));
 
-  std::size_t stride() const { return static_cast<std::size_t>(capacity_) + 1; }
+  /// Whole groups, with room for what a line in the last column leaves to the next.
+  std::size_t stride() const { return (static_cast<std::size_t>(capacity_) / kGroup + 1) * kGroup; }
+
+  /// Calls visit(first column) for each group of a row with touched pixels, from left to right.
+  template <typename Visit>
+  void for_each_touched(int row, Visit visit) const {
+    const std::uint8_t* flags = touched_.data() + std::size_t(row) * flag_capacity_;
+    for (int flag = 0; flag <= width_ / kGroup; flag += kFlags) {
+      for (std::uint64_t bits = load_bytes(flags + flag); bits != 0; bits &= bits - 1) {
+        visit((flag + std::countr_zero(bits) / 8) * kGroup);
+      }
+    }
+  }
+  void forget_touched(int row) {
+    std::fill_n(touched_.data() + std::size_t(row) * flag_capacity_, flag_capacity_, std::uint8_t{0});
+  }
 
   /// How far a row has been resolved: pixels before `done` are written, or are not to be, and so are those
   /// from `end` on; `running` is the sum of the sums so far.
@@ -123,12 +147,6 @@ class BandSums {
     Rgba colour;
     int done, end;
   };
-
-  /// True where taking all of a word's pixels one by one is faster than looking for those touched.
-  static bool is_crowded(std::uint64_t bits) {
-    constexpr int kCrowd = 20;
-    return std::popcount(bits) >= kCrowd;
-  }
 
   /// Writes pixels up to `to` in the colour of the last. What lies right of them in the row is written later,
   /// so whole vectors may spill over.
@@ -142,37 +160,27 @@ class BandSums {
     state.done = to;
   }
 
-  void resolve_touched(RowState& state, int first, std::uint64_t bits) const {
-    for (; bits != 0; bits &= bits - 1) {
-      const int x = first + std::countr_zero(bits);
-      if (x >= state.end) {
-        state.sums[x] = Sums{};  // at the row's end, what a line in the last column left for the next
-        continue;
-      }
-      fill(state, x);
+  /// Takes a group at an end of what is written. Beyond it, sums are forgotten.
+  void resolve_part(RowState& state, int first) const {
+    for (int x = first; x < first + kGroup; ++x) {
+      fill(state, std::min(x, state.end));
       state.running += state.sums[x];
       state.sums[x] = Sums{};
       state.colour = Model::decode(state.running);
-      if (x < state.done) continue;
-      std::memcpy(state.out + 4 * std::size_t(x), &state.colour, sizeof state.colour);
-      state.done = x + 1;
     }
+    fill(state, std::min(first + kGroup, state.end));
   }
 
-  void resolve_all(RowState& state, int first) const {
+  void resolve_whole(RowState& state, int first) const {
     Sums* sums = state.sums + first;
-    std::uint8_t* out = state.out + 4 * std::size_t(first);
-    Sums running = state.running;
-    Rgba colour;
-    for (int x = 0; x < kWordPixels; ++x) {
-      running += sums[x];
-      sums[x] = Sums{};
-      colour = Model::decode(running);
-      std::memcpy(out + 4 * std::size_t(x), &colour, sizeof colour);
-    }
-    state.running = running;
-    state.colour = colour;
-    state.done = first + kWordPixels;
+    const Sums a = state.running + sums[0], b = a + sums[1], c = b + sums[2], d = c + sums[3];
+    static_assert(kGroup == 4);
+    const Byte16 four = decode_four<Model>(a, b, c, d);
+    store_vector(state.out + 4 * std::size_t(first), four);
+    std::fill_n(sums, kGroup, Sums{});
+    state.running = d;
+    state.colour = std::bit_cast<std::array<Rgba, kGroup>>(four).back();
+    state.done = first + kGroup;
   }
 
   /// A ratio of two integers in fixed point, to be multiplied by another integer and rounded. Lines are
@@ -250,16 +258,13 @@ class BandSums {
     touch(slice.row, last + 1);
   }
 
-  void touch(int row, int column) {
-    touched_[std::size_t(row) * word_capacity_ + column / kWordPixels] |= std::uint64_t{1}
-                                                                          << column % kWordPixels;
-  }
+  void touch(int row, int column) { touched_[std::size_t(row) * flag_capacity_ + column / kGroup] = 1; }
 
-  int width_ = 0, right_ = 0, words_ = 0;
-  int capacity_ = -1, word_capacity_ = 0;  ///< of the arrays, in pixels and words a row
+  int width_ = 0, right_ = 0;
+  int capacity_ = -1, flag_capacity_ = 0;  ///< of the arrays, in pixels and flags a row
   int top_ = 0, bottom_ = 0;
   std::vector<Sums> sums_;
-  std::vector<std::uint64_t> touched_;
+  std::vector<std::uint8_t> touched_;  ///< by group of pixels: 1 where one was touched, else 0
 };
 
 }  // namespace depixel

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
@@ -17,6 +18,18 @@ namespace depixel {
 ///   Change  a difference of two colours, prepared for multiplying
 ///   encode(c), change(from, to), times(change, factor), decode(sums)
 /// where decode() takes a colour times kFullCoverage.
+
+/// Four colours at once, by any model.
+template <typename Model>
+Byte16 decode_four(const typename Model::Sums& a, const typename Model::Sums& b,
+                   const typename Model::Sums& c, const typename Model::Sums& d) {
+  if constexpr (requires { Model::decode(a, b, c, d); }) {
+    return Model::decode(a, b, c, d);
+  } else {
+    return std::bit_cast<Byte16>(
+        std::array<Rgba, 4>{Model::decode(a), Model::decode(b), Model::decode(c), Model::decode(d)});
+  }
+}
 
 /// An output pixel covered fully: kRasterSubpixels rows times twice as many columns (areas are sums of two
 /// abscissas).
@@ -35,9 +48,14 @@ struct OpaqueColour {
     return LevelDifference(Sums{to.r - from.r, to.g - from.g, to.b - from.b, to.a - from.a});
   }
   static Sums times(const Change& change, int factor) { return change.times(factor); }
-  static Rgba decode(const Sums& sums) {
-    return std::bit_cast<Rgba>(pack_bytes((sums + kFullCoverage / 2) >> kFullCoverageBits));
+  static Rgba decode(const Sums& sums) { return std::bit_cast<Rgba>(pack_bytes(rounded(sums))); }
+  /// Four colours at once.
+  static Byte16 decode(const Sums& a, const Sums& b, const Sums& c, const Sums& d) {
+    return pack_levels(rounded(a), rounded(b), rounded(c), rounded(d));
   }
+
+ private:
+  static Sums rounded(const Sums& sums) { return (sums + kFullCoverage / 2) >> kFullCoverageBits; }
 };
 
 /// Opaque pictures in linear light.

@@ -63,7 +63,7 @@ rc::Gen<int> random_int(int from, int end) {
 
 rc::Gen<ViewPlan> random_view() {
   const auto kind = rc::gen::map(random_int(0, 3), [](int k) { return ViewPlan::Kind(k); });
-  const auto scale = rc::gen::element(1.0, 1.5, 2.0, 2.0, 2.5, 3.0, 3.0, 3.33, 4.0, 4.0, 7.0);
+  const auto scale = rc::gen::element(1.0, 1.5, 2.0, 2.0, 2.5, 3.0, 3.0, 3.33, 4.0, 4.0, 6.0, 7.0);
   const auto both = rc::gen::map(scale, [](double s) { return std::pair(s, s); });
   const auto each = rc::gen::pair(scale, rc::gen::element(1.0, 2.0, 2.5, 5.0, 0.5));
   const auto plain = rc::gen::build<ViewPlan>(

@@ -1,0 +1,162 @@
+#include "libdepixel/raster/curve_cells.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "libdepixel/raster/flatten.hpp"
+
+namespace depixel {
+namespace {
+
+/// With more curves than this, all are forgotten: a frame has fewer mostly, and what frames have in common is
+/// known again soon.
+constexpr std::size_t kMostCurves = std::size_t{1} << 16;
+constexpr int kFirstBits = 12;  ///< the index begins with so many bits
+
+}  // namespace
+
+bool CurveCells::start(const OutputGrid& grid, int pitch) {
+  if (scale_ == grid.scale && pitch_ == pitch && curves_.size() < kMostCurves) return true;
+  scale_ = grid.scale;
+  whole_scale_ = {grid.x.whole_scale(), grid.y.whole_scale()};
+  pitch_ = pitch;
+  sums_.resize(3 * whole_scale_.x);
+  sums_.start(0, 3 * whole_scale_.y);
+  clear();
+  return false;
+}
+
+void CurveCells::clear() {
+  curves_.assign(1, {});
+  entries_.assign(1, {});
+  views_.assign(1, {});
+  cells_.assign(1, {});
+  if (index_.empty()) index_.resize(std::size_t{1} << kFirstBits);
+  std::fill(index_.begin(), index_.end(), 0);
+  shift_ = 64 - std::countr_zero(index_.size());
+}
+
+/// Where a curve is in the index, or may be added.
+std::size_t CurveCells::place_of(const EdgeCurve& curve) const {
+  const auto words = std::bit_cast<std::array<std::uint64_t, 2>>(curve);
+  constexpr std::uint64_t kScramble = 0x9e37'79b9'7f4a'7c15;  // 2^64 over the golden ratio
+  const std::uint64_t mixed = (words[0] ^ std::rotl(words[1] * kScramble, 32)) * kScramble;
+  std::size_t place = mixed >> shift_;
+  const auto is_same = [&](int number) {
+    return std::bit_cast<std::array<std::uint64_t, 2>>(curves_[number]) == words;
+  };
+  while (index_[place] != 0 && !is_same(index_[place])) place = (place + 1) & (index_.size() - 1);
+  return place;
+}
+
+int CurveCells::number_of(const EdgeCurve& curve) {
+  const std::size_t place = place_of(curve);
+  if (index_[place] != 0) return index_[place];
+  const int number = static_cast<int>(curves_.size());
+  index_[place] = number;
+  curves_.push_back(curve);
+  make_cells(curve);
+  if (2 * curves_.size() > index_.size()) grow_index();
+  return number;
+}
+
+void CurveCells::grow_index() {
+  index_.assign(2 * index_.size(), 0);
+  --shift_;
+  for (std::size_t number = 1; number < curves_.size(); ++number) {
+    index_[place_of(curves_[number])] = static_cast<int>(number);
+  }
+}
+
+void CurveCells::flatten_curve(const EdgeCurve& curve) {
+  const OutputGrid grid(View{scale_.x, scale_.y, 0, 0}, Lattice(), PictureView{});
+  const glm::ivec2 p0(curve.p0), p1(curve.p1), p2(curve.p2), p3(curve.p3);
+  points_.assign(1, grid(p0));
+  flatten(grid(p0), grid(p1), grid(p2), grid(p3), flattening_pieces(p0, p1, p2, p3, scale_),
+          [&](glm::ivec2, glm::ivec2 to) { points_.push_back(to); });
+}
+
+void CurveCells::make_cells(const EdgeCurve& curve) {
+  flatten_curve(curve);
+  // The sums begin a tile north-west of the owner: curves reach no farther.
+  const glm::ivec2 shift = whole_scale_ * kRasterSubpixels;
+  int low = 3 * shift.y, high = 0;
+  for (std::size_t k = 1; k < points_.size(); ++k) {
+    const glm::ivec2 a = points_[k - 1] + shift, b = points_[k] + shift;
+    low = std::min(low, std::min(a.y, b.y));
+    high = std::max(high, std::max(a.y, b.y));
+    sums_.add_line(a.x, a.y, b.x, b.y, 1);
+  }
+  const int first_row = low / kRasterSubpixels, end_row = (high + kRasterSubpixels - 1) / kRasterSubpixels;
+  Entry entry{static_cast<int>(cells_.size())};
+  for (int row = 0; row < 3; ++row) {
+    const int from = std::max(row * whole_scale_.y, first_row);
+    const int to = std::min((row + 1) * whole_scale_.y, end_row);
+    for (int y = from; y < to; ++y) {
+      const int place = (y - whole_scale_.y) * pitch_ - whole_scale_.x;
+      sums_.take(y, [&](int column, std::int32_t factor) { add_cell(place + column, factor); });
+    }
+    entry.ends[row + 1] = static_cast<std::uint16_t>(static_cast<int>(cells_.size()) - entry.first);
+  }
+  entries_.push_back(entry);
+}
+
+int CurveCells::add_views() {
+  views_.push_back({});
+  return static_cast<int>(views_.size()) - 1;
+}
+
+/// What curves do west of the middle line is known without looking at them if each is closed there: an end
+/// that lies west goes upright to the height of the centre, and level to it. Of all curves that share the
+/// end, that adds nothing, as their changes cancel out. Then curves that stay west add nothing either, and
+/// those that cross the line make a difference to the centre only if they do so south of it: that is taken
+/// back.
+CurveCells::Range CurveCells::make_view(int number, int tile) {
+  const int row = tile / 3 - 1, column = tile % 3 - 1;
+  const glm::ivec2 centre = (2 * glm::ivec2(column, row) + 1) * whole_scale_ * (kRasterSubpixels / 2);
+  flatten_curve(curves_[number]);
+  const auto [west, east] = std::minmax_element(points_.begin(), points_.end(),
+                                                [](glm::ivec2 a, glm::ivec2 b) { return a.x < b.x; });
+  if (east->x < centre.x) return {1, 0};
+  const Entry& entry = entries_[number];
+  const int from = entry.first + entry.ends[row + 1], to = entry.first + entry.ends[row + 2];
+  if (west->x >= centre.x) return {from, to - from};
+
+  const int first = static_cast<int>(cells_.size()), first_column = centre.x / kRasterSubpixels;
+  int next = from;
+  for (int y = row * whole_scale_.y; y < (row + 1) * whole_scale_.y; ++y) {
+    const int place = y * pitch_ + first_column;
+    std::int32_t sum = sum_beside(y * kRasterSubpixels, centre);
+    for (; next < to && cells_[next].place <= place; ++next) sum += cells_[next].factor;
+    add_cell(place, sum);
+    for (; next < to && cells_[next].place <= y * pitch_ + 2 * whole_scale_.x; ++next) {
+      add_cell(cells_[next].place, cells_[next].factor);
+    }
+  }
+  return {first, static_cast<int>(cells_.size()) - first};
+}
+
+/// What closing the curve in hand, and what crosses the middle line, add to a row of output pixels.
+std::int32_t CurveCells::sum_beside(int top, glm::ivec2 centre) const {
+  constexpr int kFar = std::numeric_limits<int>::max() / 2;
+  // The height of an upright way downwards inside the row.
+  const auto way = [&](int from, int to) {
+    const auto inside = [&](int y) { return std::clamp(y, top, top + kRasterSubpixels); };
+    return inside(to) - inside(from);
+  };
+  int height = 0;
+  if (points_.front().x < centre.x) height += way(centre.y, points_.front().y);
+  if (points_.back().x < centre.x) height += way(points_.back().y, centre.y);
+  for (std::size_t k = 1; k < points_.size(); ++k) {
+    const glm::ivec2 from = points_[k - 1], to = points_[k];
+    const bool is_eastwards = from.x < centre.x;
+    if (is_eastwards == (to.x < centre.x)) continue;
+    const double part = double(centre.x - from.x) / (to.x - from.x);
+    const bool is_south = from.y + part * (to.y - from.y) > centre.y;
+    height += (is_eastwards ? -1 : 1) * way(centre.y, is_south ? kFar : -kFar);
+  }
+  return height * 2 * kRasterSubpixels;
+}
+
+}  // namespace depixel

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <span>
+#include <vector>
+
+#include "libdepixel/core/memory.hpp"
+#include "libdepixel/raster/band_sums.hpp"
+#include "libdepixel/raster/output_grid.hpp"
+#include "libdepixel/stages/edge_curve.hpp"
+
+namespace depixel {
+
+/// What curves add to the sums of the output pixels that they cross, for grids with whole output pixels to a
+/// source pixel: there it is the same wherever an edge lies, so each curve's lines are summed up once, with a
+/// colour change of 1. Sums are integers: any other change times that is what its lines add.
+class CurveCells {
+ public:
+  /// What a curve adds to a pixel. Places are counted in a picture of sums, from that of the output pixel
+  /// whose top left corner is the edge's owner.
+  struct Cell {
+    std::int32_t place, factor;
+  };
+
+  static constexpr int kLargestScale = BandSums<OpaqueColour>::kRows;
+
+  static bool fits(const OutputGrid& grid) {
+    const int x = grid.x.whole_scale(), y = grid.y.whole_scale();
+    return x > 0 && y > 0 && x <= kLargestScale && y <= kLargestScale;
+  }
+  /// True where seen_from() is good: a tile's centre has its colour and lies in the corner of an output
+  /// pixel. (At two output pixels to a source pixel, lines may stray as far from their curves as those stay
+  /// away from the centres.)
+  static bool sees_from_centres(const OutputGrid& grid) {
+    const auto is_good = [](int scale) { return scale >= 4 && scale % 2 == 0; };
+    return fits(grid) && is_good(grid.x.whole_scale()) && is_good(grid.y.whole_scale());
+  }
+
+  /// Starts on a picture; forgets all curves if the scale or the pitch are others, or they have become many.
+  /// \param pitch  places to a row of the picture of sums.
+  /// \return whether numbers from before are still good.
+  bool start(const OutputGrid& grid, int pitch);
+
+  /// The number of a curve; never 0. Good until start() forgets it.
+  int number_of(const EdgeCurve& curve);
+
+  /// The cells of a curve in a row of tiles; -1, 0 or 1 from its owner. Valid until the next call.
+  std::span<const Cell> in_row(int number, int row) const {
+    const Entry& entry = entries_[number];
+    return std::span(cells_).subspan(entry.first + entry.ends[row + 1],
+                                     entry.ends[row + 2] - entry.ends[row + 1]);
+  }
+  /// The cells of a curve in a tile's row from the tile's middle on eastwards, where all pixels are taken to
+  /// have the tile's colour but for what this and other curves change between its centre and them: then
+  /// curves that touch neither the tile nor what lies east of it need not be looked at. Valid until the next
+  /// call. \param tile  bit of a TileMask.
+  std::span<const Cell> seen_from(int number, int tile) {
+    int& views = entries_[number].views;
+    if (views == 0) views = add_views();
+    Range& range = views_[views][tile];
+    if (range.first == 0) range = make_view(number, tile);
+    return std::span(cells_).subspan(range.first, range.count);
+  }
+
+  std::size_t memory_bytes() const { return held_bytes(index_, curves_, entries_, views_, cells_, points_); }
+
+ private:
+  /// Sums of areas alone.
+  struct Area {
+    using Sums = std::int32_t;
+    using Change = std::int32_t;
+    static Sums times(Change change, int factor) { return change * factor; }
+  };
+  struct Range {
+    int first = 0, count = 0;  ///< in cells_; first is 0 where the cells have not been made yet
+  };
+  struct Entry {
+    int first;                            ///< in cells_
+    int views = 0;                        ///< in views_; 0 where there are none yet
+    std::array<std::uint16_t, 4> ends{};  ///< of the rows of tiles, from first on; preceded by 0
+  };
+
+  void clear();
+  void grow_index();
+  std::size_t place_of(const EdgeCurve& curve) const;
+  void make_cells(const EdgeCurve& curve);
+  void flatten_curve(const EdgeCurve& curve);
+  int add_views();
+  Range make_view(int number, int tile);
+  void add_cell(int place, std::int32_t factor) {
+    if (factor != 0) cells_.push_back({place, factor});
+  }
+  std::int32_t sum_beside(int top, glm::ivec2 centre) const;
+
+  glm::dvec2 scale_{0};
+  glm::ivec2 whole_scale_{0};
+  int pitch_ = 0;
+  std::vector<int> index_;         ///< numbers, in open addressing by curve; 0 where free; a power of 2 many
+  int shift_ = 0;                  ///< from a scrambled curve to a place in index_
+  std::vector<EdgeCurve> curves_;  ///< by number, as entries_
+  std::vector<Entry> entries_;     ///< entry 0 is nobody's
+  std::vector<std::array<Range, 9>> views_;  ///< by bit of a TileMask
+  std::vector<Cell> cells_;
+  std::vector<glm::ivec2> points_;  ///< ends of the lines of the curve in hand
+  BandSums<Area, 3 * kLargestScale> sums_;
+};
+
+}  // namespace depixel
