@@ -68,7 +68,7 @@ void splines(benchmark::State& state, const Subject& subject) {
   const Arcs& arcs = subject.done.arcs();
   while (state.KeepRunning()) {
     table.clear();
-    for (const Arc& arc : arcs.list) table.curves_of(arcs.words(arc), arc.kind);
+    for (const Arc& arc : arcs.list) table.place_of(arcs.words(arc), arc.kind);
     table.fit_added(kOptions.smoothing, workers);
   }
 }

@@ -22,6 +22,11 @@ double most_places(const Lattice& lattice) {
 /// it saves.
 constexpr double kMostNew = 0.6;
 
+/// Where more corners are stale than this part of the edges that were visible, all contours are: looking for
+/// the others costs more than it saves.
+constexpr double kMostStale = 0.5;
+constexpr std::size_t kFewestStale = 256;
+
 /// The options that vectorizing depends on; others are set to a common value.
 Options of_vectorizing(Options options) {
   options.linear_light = false;
@@ -50,7 +55,6 @@ void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& opt
   if (!is_known) {
     forget(size);
     blocks_.set_unknown(size);
-    settle_before();
   } else if (!blocks_.find_changed_rows(frame, graph())) {
     changes_.set_nothing();
     clock.finish(0);
@@ -67,10 +71,16 @@ void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& opt
   stats_.crossings = graph_.crossings();
   clock.finish(1);
 
-  recolour();
-  encode();
-  find_thin();
-  add_seams();
+  if (is_known) {
+    recolour();
+    encode();
+    find_thin();
+    add_seams();
+  } else {
+    build_cells();
+  }
+  is_whole_ = !is_known || (stale_.size() > kFewestStale &&
+                            static_cast<double>(stale_.size()) > kMostStale * stats_.segments);
   clock.finish(2);
 
   trace();
@@ -80,10 +90,8 @@ void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& opt
   join();
   clock.finish(4);
 
-  if (is_known) {
-    compare();
-  } else {
-    changes_.everything = true;
+  is_whole_ ? set_all_changed() : compare();
+  if (!is_known) {
     // Frames like noise have more shapes of their own.
     place_limit_ = std::max(static_cast<std::size_t>(most_places(size)), 2 * table_.places());
   }
@@ -105,7 +113,6 @@ void IncrementalVectorizer::forget(const Lattice& lattice) {
   graph_.reset(lattice);
   cells_.lattice = {};
   cells_.resize(lattice);
-  colours_before_.assign(lattice.size(), Rgba{});
   thin_.assign(lattice.size() + sizeof(Byte16), 1);  // as all pixels without links are
   table_.clear();
   table_.reserve(static_cast<std::size_t>(most_places(lattice) +
@@ -114,10 +121,12 @@ void IncrementalVectorizer::forget(const Lattice& lattice) {
   guess_.clear();
   edges_.lattice = lattice;
   edges_.curve.assign(2 * std::size_t(lattice.size()), 0);
-  curves_before_ = edges_.curve;
-  codes_before_ = cells_.corners;
+  curves_before_.assign(edges_.curve.size(), 0);
+  codes_before_.assign(lattice.size(), CornerCode{});
+  colours_before_.assign(lattice.size(), Rgba{});
   is_slot_set_.assign(edges_.curve.size(), 0);
   set_curves_.clear();
+  stale_.clear();
   changed_colours_.clear();
   is_before_settled_ = false;
   is_opaque_ = false;
@@ -158,6 +167,18 @@ void IncrementalVectorizer::move_blocks_of_map() {
   stats_.segments = static_cast<int>(static_cast<std::ptrdiff_t>(edges_.curve.size()) - hidden);
   is_before_settled_ = false;
   forget_set_curves();
+}
+
+/// Colours and codes of all cells, and what pixels are thin.
+void IncrementalVectorizer::build_cells() {
+  const bool has_components = has_whole_components(*options_);
+  if (has_components) {
+    label_components(graph(), components_);
+    find_majority_colours(graph(), components_);
+  }
+  build_cell_graph(graph(), has_components ? &components_ : nullptr, cells_);
+  if (options_->smoothing == Smoothing::energy) find_thin_pixels(graph(), thin_);
+  is_opaque_ = depixel::is_opaque(lattice(), cells_.colours);
 }
 
 void IncrementalVectorizer::recolour() {
@@ -282,10 +303,14 @@ void IncrementalVectorizer::remove_edges() {
 
 /// Rule::curves_by_codes.
 void IncrementalVectorizer::trace() {
-  if (rules_.has(Rule::edges_by_codes)) remove_edges();
-  std::span<const int> traced = stale_;
-  if (!rules_.has(Rule::curves_by_codes)) traced = traced.first(traced.size() / 2);
-  trace_contours_through(cells_, traced, contours_);
+  if (is_whole_) {
+    trace_contours(cells_, contours_);
+  } else {
+    if (rules_.has(Rule::edges_by_codes)) remove_edges();
+    std::span<const int> traced = stale_;
+    if (!rules_.has(Rule::curves_by_codes)) traced = traced.first(traced.size() / 2);
+    trace_contours_through(cells_, traced, contours_);
+  }
   cut_arcs(cells_, contours_, thin_, options_->spline, options_->smoothing, arcs_);
   stats_.stale_corners = static_cast<int>(stale_.size());
   stats_.contours = static_cast<int>(contours_.list.size());
@@ -311,30 +336,44 @@ void IncrementalVectorizer::fit() {
     votes_.see(arc.place, arcs_.corner[arc.first], arc.count, lattice());
   }
   stats_.fitted_shapes = table_.fit_added(options_->smoothing, workers_);
+  if (!is_whole_) {
+    for (const Arc& arc : arcs_.list) {
+      for_each_edge(arcs_, arc, table_, step, [&](int slot, int number) { set_curve(slot, number); });
+    }
+    return;
+  }
+  std::fill(edges_.curve.begin(), edges_.curve.end(), 0);
+  stats_.segments = 0;
   for (const Arc& arc : arcs_.list) {
-    for_each_edge(arcs_, arc, table_, step, [&](int slot, int number) { set_curve(slot, number); });
+    for_each_edge(arcs_, arc, table_, step, [&](int slot, int number) { edges_.curve[slot] = number; });
+    stats_.segments += arc.step_count();
   }
 }
 
 /// Rule::joints_by_curves: all T-junctions that contours end at or go through.
 void IncrementalVectorizer::join() {
-  if (!rules_.has(Rule::joints_by_curves)) {
-    for (const Contour& contour : contours_.list) {
-      if (contour.closed) continue;
-      for (const int end : {contour.first, contour.first + contour.count - 1}) {
-        if (cells_.is_t_junction(contours_.corner[end])) {
-          const JoinedEdge joined = join_at(contours_.corner[end], cells_, edges_, table_);
-          set_curve(joined.slot, joined.curve);
-        }
-      }
-    }
+  const auto join = [&](int corner) { return join_at(corner, cells_, edges_, table_); };
+  if (is_whole_) {
+    for_each_joint(contours_, cells_, [&](int corner) {
+      const JoinedEdge joined = join(corner);
+      edges_.curve[joined.slot] = joined.curve;
+    });
     return;
   }
-  for (const int corner : contours_.corner) {
-    if (!cells_.is_t_junction(corner)) continue;
-    const JoinedEdge joined = join_at(corner, cells_, edges_, table_);
+  const auto join_and_tell = [&](int corner) {
+    const JoinedEdge joined = join(corner);
     set_curve(joined.slot, joined.curve);
+  };
+  if (!rules_.has(Rule::joints_by_curves)) return for_each_joint(contours_, cells_, join_and_tell);
+  for (const int corner : contours_.corner) {
+    if (cells_.is_t_junction(corner)) join_and_tell(corner);
   }
+}
+
+/// Nothing is told of what differs from the frame before.
+void IncrementalVectorizer::set_all_changed() {
+  changes_.everything = true;
+  is_before_settled_ = false;
 }
 
 void IncrementalVectorizer::compare() {

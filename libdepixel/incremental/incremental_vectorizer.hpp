@@ -49,6 +49,7 @@ class IncrementalVectorizer {
   void settle_before();
   void forget_set_curves();
   void move_blocks_of_map();
+  void build_cells();
   void recolour();
   void find_changed_colours(const BlockSet& blocks, const std::vector<Rgba>& others);
   void encode();
@@ -61,6 +62,7 @@ class IncrementalVectorizer {
   void trace();
   void fit();
   void join();
+  void set_all_changed();
   void compare();
   void count();
   void set_curve(int slot, int number);
@@ -80,6 +82,7 @@ class IncrementalVectorizer {
   bool is_opaque_ = false;
   std::vector<std::uint8_t> thin_;
 
+  bool is_whole_ = false;                ///< all contours are traced again
   std::vector<int> stale_;               ///< corners whose contours are to be traced again
   std::vector<CornerCode> stale_codes_;  ///< what their codes were
   Contours contours_;                    ///< those that were traced again

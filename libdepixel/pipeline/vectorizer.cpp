@@ -53,15 +53,10 @@ void Vectorizer::fit(const Options& options) {
   for (const Arc& arc : arcs_.list) {
     for_each_edge(arcs_, arc, table_, step, [&](int slot, int number) { edges_.curve[slot] = number; });
   }
-  for (const Contour& contour : contours_.list) {
-    if (contour.closed) continue;
-    for (const int end : {contour.first, contour.first + contour.count - 1}) {
-      const int corner = contours_.corner[end];
-      if (!cells_.is_t_junction(corner)) continue;
-      const JoinedEdge joined = join_at(corner, cells_, edges_, table_);
-      edges_.curve[joined.slot] = joined.curve;
-    }
-  }
+  for_each_joint(contours_, cells_, [&](int corner) {
+    const JoinedEdge joined = join_at(corner, cells_, edges_, table_);
+    edges_.curve[joined.slot] = joined.curve;
+  });
 }
 
 std::size_t Vectorizer::memory_bytes() const {

@@ -30,6 +30,18 @@ void for_each_edge(const Arcs& arcs, const Arc& arc, const SplineTable& table, c
   }
 }
 
+/// Calls visit(corner) for each end of an open contour at a T-junction, where it is to be joined.
+template <typename Visit>
+void for_each_joint(const Contours& contours, const CellGraph& cells, Visit visit) {
+  for (const Contour& contour : contours.list) {
+    if (contour.closed) continue;
+    for (const int end : {contour.first, contour.first + contour.count - 1}) {
+      const int corner = contours.corner[end];
+      if (cells.is_t_junction(corner)) visit(corner);
+    }
+  }
+}
+
 /// An edge at whose end, or ends, another contour goes through, and the curve that ends on that contour's.
 struct JoinedEdge {
   int slot, curve;
