@@ -370,10 +370,11 @@ void IncrementalVectorizer::join() {
   }
 }
 
-/// Nothing is told of what differs from the frame before.
+/// Nothing is told of what differs from the frame before. What may have moved is tried next time.
 void IncrementalVectorizer::set_all_changed() {
   changes_.everything = true;
   is_before_settled_ = false;
+  for (const glm::ivec2 move : votes_.most_voted()) guess_.remember(move);
 }
 
 void IncrementalVectorizer::compare() {

@@ -13,10 +13,14 @@ constexpr std::size_t kMostRecent = 8, kMostMoves = 4;
 constexpr int kSamplePixels = kWordLanes;
 /// A further move must explain so many samples that those before it do not.
 constexpr int kFewestExplained = 6;
-/// Where known moves leave more than this part of what changed, others of up to so many pixels along either
-/// axis are tried.
+/// Where known moves leave more than this part of what changed, others are tried: of up to so many pixels
+/// along one axis, or along both.
 constexpr double kMostLeft = 0.5;
-constexpr int kFarthest = 12;
+constexpr int kFarthest = 12, kFarthestBoth = 4;
+/// Moves that explain none of so many samples are given up.
+constexpr int kSamplesAtFirst = 32;
+/// Layers that are found by trying, at most.
+constexpr int kMostUnknown = 2;
 
 bool is_equal(Word4 a, Word4 b) {
   const Word4 differing = a ^ b;
@@ -73,23 +77,34 @@ void MoveGuess::attempt(const FrameView& frame, const SimilarityGraph& before, g
   trials_.push_back(trial);
 }
 
-/// Tries the move by a few pixels along an axis that explains most of what is left.
-void MoveGuess::attempt_near(const FrameView& frame, const SimilarityGraph& before) {
+/// How many samples of those that are left a move explains.
+int MoveGuess::count_explained(const FrameView& frame, const SimilarityGraph& before, glm::ivec2 move) const {
+  int explained = 0, seen = 0;
+  for (int i = 0; i < kSamples; ++i) {
+    if ((unexplained_[i / 64] >> i % 64 & 1) == 0) continue;
+    explained += agrees(frame, before, samples_[i], move) ? 1 : 0;
+    if (++seen == kSamplesAtFirst && explained == 0) break;
+  }
+  return explained;
+}
+
+/// Tries the move by a few pixels that explains most of what is left. \return whether one explains enough.
+bool MoveGuess::attempt_near(const FrameView& frame, const SimilarityGraph& before) {
   glm::ivec2 best(0);
   int most = kFewestExplained - 1;
-  for (int way = 1; way <= kFarthest; ++way) {
-    for (const glm::ivec2 step : kStep) {
-      int explained = 0;
-      for (int i = 0; i < kSamples; ++i) {
-        if ((unexplained_[i / 64] >> i % 64 & 1) == 0) continue;
-        explained += agrees(frame, before, samples_[i], step * way) ? 1 : 0;
-      }
+  for (int y = -kFarthest; y <= kFarthest; ++y) {
+    for (int x = -kFarthest; x <= kFarthest; ++x) {
+      const bool is_along_axis = x == 0 || y == 0;
+      if (!is_along_axis && std::max(std::abs(x), std::abs(y)) > kFarthestBoth) continue;
+      const int explained = count_explained(frame, before, {x, y});
       if (explained <= most) continue;
       most = explained;
-      best = step * way;
+      best = {x, y};
     }
   }
-  if (best != glm::ivec2(0)) attempt(frame, before, best);
+  if (best == glm::ivec2(0)) return false;
+  attempt(frame, before, best);
+  return true;
 }
 
 /// Chooses moves that were tried, each time the one that explains most of what is left. \return what all
@@ -129,9 +144,9 @@ std::span<const glm::ivec2> MoveGuess::guess(const FrameView& frame, const Simil
   if (changed < kFewestExplained) return chosen_;
   for (const glm::ivec2 move : recent_) attempt(frame, before, move);
   unexplained_ = choose();
-  if (count(unexplained_) > kMostLeft * changed) {
-    attempt_near(frame, before);
-    choose();
+  for (int layer = 0; layer < kMostUnknown && count(unexplained_) > kMostLeft * changed; ++layer) {
+    if (!attempt_near(frame, before)) break;
+    unexplained_ = choose();
   }
   if (std::find(chosen_.begin(), chosen_.end(), none) == chosen_.end()) chosen_.push_back(none);
   return chosen_;

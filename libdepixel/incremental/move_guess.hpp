@@ -12,7 +12,7 @@
 namespace depixel {
 
 /// Guesses how parts of a frame moved since the frame before: not at all, as frames moved lately, or by a few
-/// pixels along an axis, if many samples agree that are not explained otherwise. A wrong guess costs time and
+/// pixels, if many samples agree that are not explained otherwise. A wrong guess costs time and
 /// changes no result.
 class MoveGuess {
  public:
@@ -41,7 +41,8 @@ class MoveGuess {
 
   void take_samples(const FrameView& frame);
   void attempt(const FrameView& frame, const SimilarityGraph& before, glm::ivec2 move);
-  void attempt_near(const FrameView& frame, const SimilarityGraph& before);
+  int count_explained(const FrameView& frame, const SimilarityGraph& before, glm::ivec2 move) const;
+  bool attempt_near(const FrameView& frame, const SimilarityGraph& before);
   SampleSet choose();
 
   std::vector<glm::ivec2> recent_;   ///< the latest first
