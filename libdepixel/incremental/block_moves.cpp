@@ -13,6 +13,9 @@ namespace {
 /// Another move than the first is chosen for a block where it explains at least so many pixels more.
 constexpr int kClearlyMore = 4;
 
+/// With a smaller part of the blocks that moved, all are taken to have stayed: that is cheaper.
+constexpr double kFewestMoved = 0.03;
+
 /// How many of some pixels of a frame differ from known ones.
 int count_differing_pixels(const std::uint8_t* row, const Rgba* known, int count) {
   int x = 0;
@@ -109,6 +112,23 @@ int BlockMoves::count_differing(const FrameView& frame, const SimilarityGraph& b
 
 void BlockMoves::find(const FrameView& frame, const SimilarityGraph& before,
                       std::span<const glm::ivec2> moves) {
+  const glm::ivec2 none(0);
+  const bool is_still = moves.size() == 1 && moves[0] == none;
+  choose(frame, before, moves);
+  if (!is_still && count_moved() < kFewestMoved * grid_.columns * grid_.rows)
+    choose(frame, before, {&none, 1});
+  find_runs();
+}
+
+int BlockMoves::count_moved() const {
+  int moved = 0;
+  for (const std::uint8_t index : index_)
+    moved += index != kOutside && moves_[index] != glm::ivec2(0) ? 1 : 0;
+  return moved;
+}
+
+void BlockMoves::choose(const FrameView& frame, const SimilarityGraph& before,
+                        std::span<const glm::ivec2> moves) {
   start(before.lattice, moves);
   const bool is_still = moves.size() == 1 && moves[0] == glm::ivec2(0);
   for (int row = 0; row < grid_.rows; ++row) {
@@ -134,7 +154,6 @@ void BlockMoves::find(const FrameView& frame, const SimilarityGraph& before,
       changed_pixels_ += fewest;
     }
   }
-  find_runs();
 }
 
 void BlockMoves::find_runs() {

@@ -24,7 +24,7 @@ class BlockMoves {
   /// Cost: that of comparing memory.
   bool find_changed_rows(const FrameView& frame, const SimilarityGraph& before);
   /// Chooses a move for each block, and finds the blocks with pixels that it does not explain; those that it
-  /// brings from outside the frame are among them.
+  /// brings from outside the frame are among them. Where hardly any block moved, all stay.
   /// \param moves  to choose from; the first one where others do not explain clearly more.
   /// \pre find_changed_rows() of these frames.
   void find(const FrameView& frame, const SimilarityGraph& before, std::span<const glm::ivec2> moves);
@@ -65,6 +65,8 @@ class BlockMoves {
   static constexpr std::uint8_t kOutside = 255;
 
   void start(const Lattice& lattice, std::span<const glm::ivec2> moves);
+  void choose(const FrameView& frame, const SimilarityGraph& before, std::span<const glm::ivec2> moves);
+  int count_moved() const;
   int count_differing(const FrameView& frame, const SimilarityGraph& before, int column, int row,
                       glm::ivec2 move, int most) const;
   void find_runs();

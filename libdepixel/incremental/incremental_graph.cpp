@@ -13,6 +13,9 @@ namespace {
 /// With more of the blocks than this part stale, all are taken to be: that is simpler, and no slower.
 constexpr double kMostStale = 0.7;
 
+/// With more blocks' links than this part of all that differ, the graph is new.
+constexpr double kMostChanged = 0.1;
+
 /// What depends on a link lies at most so many pixels from it.
 constexpr int kLinkReach = 2;
 
@@ -47,6 +50,7 @@ void IncrementalGraph::reset(const Lattice& lattice) {
 void IncrementalGraph::update(const FrameView& frame, const Options& options, const BlockMoves& blocks,
                               RuleSet rules) {
   const CrossingVotes votes{options.curve_weight, options.sparse_weight, options.island_weight};
+  is_new_ = false;
   if (has_whole_components(options)) {
     stale_.reset(blocks.grid());
     stale_.add_all();
@@ -59,13 +63,7 @@ void IncrementalGraph::update(const FrameView& frame, const Options& options, co
   find_near(blocks, rules);
   take_pixels(frame, blocks);
   if (rules.has(Rule::links_by_pixels) || !blocks.is_known()) relink();
-  if (near_.has_all()) {
-    stale_ = near_;
-    graph_.links = frozen_.links;
-    resolved_crossings_ = resolve_crossings(graph_, votes, crossings_);
-  } else {
-    resolve_some(votes, blocks, rules);
-  }
+  near_.has_all() ? resolve_all(votes) : resolve_some(votes, blocks, rules);
 }
 
 void IncrementalGraph::move(const BlockMoves& blocks) {
@@ -139,6 +137,17 @@ void IncrementalGraph::find_seams(const BlockMoves& blocks) {
       }
     }
   }
+}
+
+void IncrementalGraph::resolve_all(const CrossingVotes& votes) {
+  const std::size_t size = graph_.links.size();
+  std::copy_n(graph_.links.begin(), size, moved_.begin());
+  graph_.links = frozen_.links;
+  resolved_crossings_ = resolve_crossings(graph_, votes, crossings_);
+  stale_ = near_;
+  std::size_t same = 0;
+  for (std::size_t i = 0; i < size; ++i) same += graph_.links[i] == moved_[i] ? 1 : 0;
+  is_new_ = is_most(graph_.lattice, kMostChanged, size - same);
 }
 
 /// Crossings whose votes may have changed; outside of near blocks, these alone make others stale.

@@ -9,6 +9,14 @@
 
 namespace depixel {
 
+/// How much of a frame must differ before all of it is taken to be new: as a part of its pixels, and of small
+/// frames all.
+inline bool is_most(const Lattice& lattice, double part, std::size_t count) {
+  constexpr int kFewestPixels = 1024;
+  const int pixels = lattice.width() * lattice.height();
+  return pixels >= kFewestPixels && static_cast<double>(count) > part * pixels;
+}
+
 /// The resolved similarity graph of successive frames: links that may differ from those before are made anew,
 /// and crossings whose votes may. What is known of the frame before is moved as its blocks were.
 class IncrementalGraph {
@@ -25,6 +33,8 @@ class IncrementalGraph {
   /// Blocks outside which all pixels and resolved links within two pixels are what they were, or were moved
   /// as these blocks were.
   const BlockSet& stale() const { return stale_; }
+  /// Whether so many links differ that what was made of them is hardly worth a look.
+  bool is_new() const { return is_new_; }
   /// Crossings that were resolved.
   int crossings() const { return resolved_crossings_; }
 
@@ -40,6 +50,7 @@ class IncrementalGraph {
   void take_pixels(const FrameView& frame, const BlockMoves& blocks);
   void relink();
   void find_seams(const BlockMoves& blocks);
+  void resolve_all(const CrossingVotes& votes);
   void resolve_some(const CrossingVotes& votes, const BlockMoves& blocks, RuleSet rules);
   void thaw();
 
@@ -51,6 +62,7 @@ class IncrementalGraph {
   std::vector<int> seams_;  ///< pixels that are linked across one
   StaleCrossings stale_crossings_;
   CrossingScratch crossings_;
+  bool is_new_ = false;
   int resolved_crossings_ = 0;
   std::vector<std::uint8_t> before_;  ///< scratch: links of the stale crossings
   std::vector<std::uint8_t> moved_;   ///< scratch

@@ -22,10 +22,9 @@ double most_places(const Lattice& lattice) {
 /// it saves.
 constexpr double kMostNew = 0.6;
 
-/// Where more corners are stale than this part of the edges that were visible, all contours are: looking for
-/// the others costs more than it saves.
-constexpr double kMostStale = 0.5;
-constexpr std::size_t kFewestStale = 256;
+/// Where more corners are stale than this part of the edges that were visible, and than that part of all
+/// corners, all contours are: looking for the others costs more than it saves.
+constexpr double kMostStale = 0.5, kFewestStale = 0.15;
 
 /// The options that vectorizing depends on; others are set to a common value.
 Options of_vectorizing(Options options) {
@@ -71,16 +70,16 @@ void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& opt
   stats_.crossings = graph_.crossings();
   clock.finish(1);
 
-  if (is_known) {
+  is_whole_ = !is_known || graph_.is_new();
+  if (is_whole_) {
+    build_cells();
+  } else {
     recolour();
     encode();
     find_thin();
     add_seams();
-  } else {
-    build_cells();
+    is_whole_ = has_many_stale();
   }
-  is_whole_ = !is_known || (stale_.size() > kFewestStale &&
-                            static_cast<double>(stale_.size()) > kMostStale * stats_.segments);
   clock.finish(2);
 
   trace();
@@ -178,6 +177,7 @@ void IncrementalVectorizer::build_cells() {
   }
   build_cell_graph(graph(), has_components ? &components_ : nullptr, cells_);
   if (options_->smoothing == Smoothing::energy) find_thin_pixels(graph(), thin_);
+  stale_.clear();
   is_opaque_ = depixel::is_opaque(lattice(), cells_.colours);
 }
 
@@ -370,6 +370,11 @@ void IncrementalVectorizer::join() {
   }
 }
 
+bool IncrementalVectorizer::has_many_stale() const {
+  return static_cast<double>(stale_.size()) > kMostStale * stats_.segments &&
+         is_most(lattice(), kFewestStale, stale_.size());
+}
+
 /// Nothing is told of what differs from the frame before. What may have moved is tried next time.
 void IncrementalVectorizer::set_all_changed() {
   changes_.everything = true;
@@ -378,13 +383,14 @@ void IncrementalVectorizer::set_all_changed() {
 }
 
 void IncrementalVectorizer::compare() {
+  if (is_most(lattice(), kMostNew, changed_colours_.size())) return set_all_changed();
   const MapPair maps{lattice(),      table_,        edges_.curve,   curves_before_,
                      cells_.corners, codes_before_, cells_.colours, colours_before_};
   comparison_.find_new(maps, blocks_, set_curves_, changed_colours_, rules_, changes_);
   comparison_.find_moved(maps, blocks_, set_curves_, votes_.most_voted(), changes_);
   std::for_each(changes_.moves.rbegin(), changes_.moves.rend(),
                 [&](glm::ivec2 move) { guess_.remember(move); });
-  if (changes_.new_tiles > kMostNew * lattice().width() * lattice().height()) changes_.everything = true;
+  if (is_most(lattice(), kMostNew, changes_.new_tiles)) changes_.everything = true;
 }
 
 const PlanarMap& IncrementalVectorizer::map() const {

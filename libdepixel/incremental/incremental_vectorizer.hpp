@@ -62,6 +62,7 @@ class IncrementalVectorizer {
   void trace();
   void fit();
   void join();
+  bool has_many_stale() const;
   void set_all_changed();
   void compare();
   void count();

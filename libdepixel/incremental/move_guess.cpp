@@ -120,7 +120,9 @@ MoveGuess::SampleSet MoveGuess::choose() {
     for (const Trial& trial : trials_) {
       SampleSet rest = left;
       for (std::size_t i = 0; i < rest.size(); ++i) rest[i] &= ~trial.explained[i];
-      const int explained = count(left) - count(rest);
+      int explained = count(left) - count(rest);
+      // What is not clearly explained by a move stayed.
+      if (chosen_.empty() && trial.move == glm::ivec2(0)) explained += kFewestExplained;
       if (explained <= most) continue;
       most = explained;
       best = trial.move;
