@@ -195,10 +195,9 @@ void BlockMoves::find_seams() {
 }
 
 bool BlockMoves::is_seam(const Seam& seam) const {
-  const int other = move_index(seam.column + seam.step.x, seam.row + seam.step.y);
-  if (other != kOutside) return other != move_index(seam.column, seam.row);
-  const glm::ivec2 own = move(seam.column, seam.row);
   const int x = seam.column + seam.step.x, y = seam.row + seam.step.y;
+  if (!is_border(seam)) return move_index(x, y) != move_index(seam.column, seam.row);
+  const glm::ivec2 own = move(seam.column, seam.row);
   return (own.x != 0 && (x < 0 || x >= grid_.columns)) || (own.y != 0 && (y < 0 || y >= grid_.rows));
 }
 

@@ -56,6 +56,9 @@ class BlockMoves {
   };
   /// All seams, from both sides.
   const std::vector<Seam>& seams() const { return seams_; }
+  bool is_border(const Seam& seam) const {
+    return move_index(seam.column + seam.step.x, seam.row + seam.step.y) == kOutside;
+  }
 
   std::size_t memory_bytes() const {
     return held_bytes(is_row_changed_, moves_, index_, runs_, first_run_, seams_) + changed_.memory_bytes();

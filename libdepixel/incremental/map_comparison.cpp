@@ -89,7 +89,10 @@ void MapComparison::find_new(const MapPair& maps, const BlockMoves& blocks, std:
     if (!rules.has(Rule::tiles_by_side_colours)) continue;
     for (const int slot : edges_round(pixel, lattice.stride())) mark(maps, slot, maps.curve[slot], 0);
   }
-  if (rules.has(Rule::tiles_by_seams)) mark_seams(lattice, blocks);
+  if (rules.has(Rule::tiles_by_seams)) {
+    mark_lost(maps, blocks);
+    mark_seams(lattice, blocks);
+  }
   take_new(lattice, changes.tiles);
   if (blocks.any_moved()) keep_flat(maps, changes.tiles);
   count(lattice, changes);
@@ -124,9 +127,35 @@ void MapComparison::mark_seams(const Lattice& lattice, const BlockMoves& blocks)
            : step > 0 ? glm::ivec2(end - kBehind, end)
                       : glm::ivec2(first, end);
   };
-  for (const auto& [column, row, step] : blocks.seams()) {
+  for (const BlockMoves::Seam& seam : blocks.seams()) {
+    const auto& [column, row, step] = seam;
+    if (blocks.is_border(seam)) continue;  // see mark_lost()
     mark_tiles(lattice, side(step.x, grid.first_x(column), grid.end_x(column)),
                side(step.y, grid.first_y(row), grid.end_y(row)));
+  }
+}
+
+/// Rule::tiles_by_seams, at the frame's border: marks tiles into which curves reached whose edges moved out
+/// of the frame, by a pixel. Those that are still in it, on the border, are among the edges that changed.
+void MapComparison::mark_lost(const MapPair& maps, const BlockMoves& blocks) {
+  const Lattice& lattice = maps.lattice;
+  const auto mark_one = [&](glm::ivec2 owner, glm::ivec2 move, bool southwards) {
+    const glm::ivec2 from = owner - move;
+    if (from.x < 0 || from.y < 0 || from.x > lattice.width() || from.y > lattice.height()) return;
+    const int before = maps.curve_before[edge_slot(lattice.corner(from.x, from.y), southwards)];
+    mark(maps, edge_slot(lattice.corner(owner.x, owner.y), southwards), 0, before);
+  };
+  const BlockGrid& grid = blocks.grid();
+  for (const BlockMoves::Seam& seam : blocks.seams()) {
+    if (!blocks.is_border(seam)) continue;
+    const glm::ivec2 move = blocks.move(seam.column, seam.row);
+    const int first_x = grid.first_x(seam.column), end_x = grid.end_x(seam.column);
+    const int first_y = grid.first_y(seam.row), end_y = grid.end_y(seam.row);
+    if (seam.step == glm::ivec2(-1, 0)) {
+      for (int y = first_y; y <= end_y; ++y) mark_one({-1, y}, move, false);
+    } else if (seam.step == glm::ivec2(0, -1)) {
+      for (int x = first_x; x <= end_x; ++x) mark_one({x, -1}, move, true);
+    }
   }
 }
 
@@ -197,11 +226,12 @@ bool MapComparison::is_moved(const MapPair& maps, int tile, int offset) {
     const int slot = edge_slot(first_owner + row * stride, false);
     const int *now = maps.curve.data() + slot, *before = maps.curve_before.data() + slot - 2 * offset;
     if (are_equal(now, before) && are_equal(now + 2, before + 2)) continue;
+    unsigned differing = 0;  // without branches, which would be hard to predict
     for (int k = 0; k < 6; ++k) {
-      if (now[k] == before[k]) continue;
-      const TileMask touched = maps.table.tiles(now[k]) | maps.table.tiles(before[k]);
-      if ((touched >> (8 - 3 * row - k / 2) & 1) != 0) return false;
+      const unsigned touched = maps.table.tiles(now[k]) | maps.table.tiles(before[k]);
+      differing |= now[k] != before[k] ? touched >> (8 - 3 * row - k / 2) : 0;
     }
+    if ((differing & 1) != 0) return false;
   }
   for (int row = 0; row < 4; ++row) {
     const int first = first_owner + row * stride;

@@ -50,6 +50,7 @@ class MapComparison {
 
  private:
   void cover(const Lattice& lattice, const BlockMoves& blocks, MapChanges& changes);
+  void mark_lost(const MapPair& maps, const BlockMoves& blocks);
   void mark_seams(const Lattice& lattice, const BlockMoves& blocks);
   static void keep_flat(const MapPair& maps, std::vector<std::uint8_t>& tiles);
   static void count(const Lattice& lattice, MapChanges& changes);
