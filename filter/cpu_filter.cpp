@@ -37,6 +37,10 @@ class CpuFilter final : public FrameFilter {
     return {};
   }
 
+  std::size_t memory_bytes() const override {
+    return FrameFilter::memory_bytes() + updater_.memory_bytes() + changes_.memory_bytes();
+  }
+
  private:
   tl::expected<void, Error> compare_with_scratch(const PictureView& drawn, const View& view) const {
     const std::size_t row = std::size_t{4} * drawn.width;

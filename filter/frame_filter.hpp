@@ -97,6 +97,8 @@ class FrameFilter {
   /// Of the frame submitted last.
   const IncrementalVectorizer& vectorizer() const { return vectorizer_; }
   const FilterStats& stats() const { return stats_; }
+  /// Bytes held from frame to frame, but for OpenGL's objects.
+  virtual std::size_t memory_bytes() const { return vectorizer_.stats().memory_bytes; }
 
  protected:
   /// \param rules  all, but in tests of what is told of errors.

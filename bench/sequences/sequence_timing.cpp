@@ -31,11 +31,11 @@ class IncrementalPlayer {
 
   void show(const FrameView& frame) {
     check(filter_->submit(frame, kOptions));
-    const View view = View::fit(vectorizer().lattice(), out_.width(), out_.height());
+    const View view = View::fit(filter_->vectorizer().lattice(), out_.width(), out_.height());
     check(filter_->draw(KeptPicture{out_.target()}, {0, 0, out_.width(), out_.height()}, view));
   }
 
-  const IncrementalVectorizer& vectorizer() const { return filter_->vectorizer(); }
+  std::size_t memory_bytes() const { return filter_->memory_bytes(); }
 
  private:
   std::unique_ptr<FrameFilter> filter_;
@@ -128,8 +128,7 @@ class SequenceTimer {
     incremental_player_.restart();
     each_frame([&](std::size_t frame) {
       incremental_.time(frame, [&] { incremental_player_.show(view(frame)); });
-      most_memory_bytes_ =
-          std::max(most_memory_bytes_, incremental_player_.vectorizer().stats().memory_bytes);
+      most_memory_bytes_ = std::max(most_memory_bytes_, incremental_player_.memory_bytes());
     });
   }
 

@@ -9,15 +9,17 @@
 namespace depixel {
 namespace {
 
-/// With more curves than this, all are forgotten: a frame has fewer mostly, and what frames have in common is
-/// known again soon.
-constexpr std::size_t kMostCurves = std::size_t{1} << 16;
+/// With more cells than so many for each pixel of the frame, all are forgotten: a frame has fewer mostly, and
+/// what frames have in common is known again soon.
+constexpr std::size_t kCellsAPixel = 2, kFewestCells = std::size_t{1} << 14;
 constexpr int kFirstBits = 12;  ///< the index begins with so many bits
 
 }  // namespace
 
 bool CurveCells::start(const OutputGrid& grid, int pitch) {
-  if (scale_ == grid.scale && pitch_ == pitch && curves_.size() < kMostCurves) return true;
+  const std::size_t pixels = std::size_t(grid.lattice.width()) * grid.lattice.height();
+  const bool has_room = cells_.size() < std::max(kFewestCells, kCellsAPixel * pixels);
+  if (scale_ == grid.scale && pitch_ == pitch && has_room) return true;
   scale_ = grid.scale;
   whole_scale_ = {grid.x.whole_scale(), grid.y.whole_scale()};
   pitch_ = pitch;
