@@ -102,7 +102,11 @@ GlTiming GlTimer::time(const FrameView& frame, int out_width, int out_height, do
 
   std::vector<double> nearest, draw, vectorize, prepare;
   GlTiming timing;
+  // A frame of another size in between: nothing is known then of the one before.
+  constexpr Rgba kPixel{};
+  const FrameView other{reinterpret_cast<const std::uint8_t*>(&kPixel), 1, 1, sizeof kPixel};
   repeat_for(seconds, kMinRounds, [&] {
+    check(filter_->submit(other, {}));
     check(filter_->submit(frame, {}));
     vectorize.push_back(double(filter_->stats().submit_ns) * 1e-6);
     draw_filtered(frame, out_width, out_height);
