@@ -86,19 +86,16 @@ class BlockSet {
     first_run_.assign(1, 0);
     for (int row = 0; row < grid_.rows; ++row) {
       const std::uint8_t* in = is_in_.data() + index(0, row);
-      for (int column = 0; column < grid_.columns;) {
-        const int first = column;
-        while (column < grid_.columns && in[column] != 0) ++column;
-        if (first == column) {
-          ++column;
-        } else {
-          runs_.push_back({grid_.first_x(first), grid_.end_x(column - 1)});
-        }
+      for (int column = grid_.columns - 1; column >= 0; --column) {
+        const int last = column;
+        while (column >= 0 && in[column] != 0) --column;
+        if (last != column) runs_.push_back({grid_.first_x(column + 1), grid_.end_x(last)});
       }
       first_run_.push_back(static_cast<int>(runs_.size()));
     }
   }
-  /// The runs that a row of pixels goes through.
+  /// The runs that a row of pixels goes through, from east to west: vector code may write beyond the end of
+  /// one, over what was done before then.
   std::span<const Run> runs(int y) const {
     const int row = y / BlockGrid::kSide, first = first_run_[row];
     return std::span(runs_).subspan(first, first_run_[row + 1] - first);

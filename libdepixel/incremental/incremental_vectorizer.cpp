@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <ranges>
 
 #include "libdepixel/incremental/byte_rows.hpp"
 
@@ -228,8 +227,7 @@ void IncrementalVectorizer::encode_row(int y, std::span<const BlockSet::Run> run
   const int width = lattice().width(), first = lattice().corner(0, y);
   const auto* codes = reinterpret_cast<const std::uint8_t*>(cells_.corners.data()) + first;
   const Components* components = has_whole_components(*options_) ? &components_ : nullptr;
-  // From the last to the first: what is written beyond a run's end was looked at before.
-  for (const BlockSet::Run run : runs | std::views::reverse) {
+  for (const BlockSet::Run run : runs) {
     const int from = run.from, end = run.to == width ? width + 1 : run.to;
     row_before_.assign(codes + from, codes + end + sizeof(Byte16));
     encode_corners(graph(), components, y, from, end, cells_);
@@ -250,7 +248,7 @@ void IncrementalVectorizer::find_thin() {
 void IncrementalVectorizer::find_thin_row(int y) {
   const int first = lattice().pixel(0, y), stride = lattice().stride();
   const std::uint8_t* thin = thin_.data() + first;
-  for (const BlockSet::Run run : graph_.stale().runs(y) | std::views::reverse) {
+  for (const BlockSet::Run run : graph_.stale().runs(y)) {
     row_before_.assign(thin + run.from, thin + run.to + sizeof(Byte16));
     find_thin_pixels(graph(), y, run.from, run.to, thin_);
     if (!rules_.has(Rule::curves_by_thin)) continue;

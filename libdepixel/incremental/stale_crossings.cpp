@@ -2,7 +2,6 @@
 
 #include <array>
 #include <bit>
-#include <ranges>
 
 #include "libdepixel/incremental/byte_rows.hpp"
 
@@ -72,8 +71,7 @@ void StaleCrossings::find_in_row(const SimilarityGraph& frozen, const BlockSet& 
                                  std::vector<std::uint8_t>& neighbours) {
   const int first = frozen.lattice.pixel(0, y);
   const std::uint8_t *links = frozen.links.data() + first, *masks = neighbours.data() + first;
-  // From the last run to the first: what is written beyond a run's end was looked at before.
-  for (const BlockSet::Run run : near.runs(y) | std::views::reverse) {
+  for (const BlockSet::Run run : near.runs(y)) {
     const int from = run.from, count = run.to - run.from;
     before_.assign(masks + from, masks + run.to + sizeof(Byte16));
     find_neighbours(frozen, y, from, from + count, neighbours);

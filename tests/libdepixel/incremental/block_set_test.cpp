@@ -40,10 +40,10 @@ RC_GTEST_PROP(BlockSet, RunsHoldThePixelsOfItsBlocks, ()) {
   RC_ASSERT(set.count() == static_cast<int>(blocks.size()));
   for (int y = 0; y < lattice.height(); ++y) {
     std::set<int> in_runs;
-    int end_before = -1;
+    int from_before = lattice.width() + 1;
     for (const BlockSet::Run run : set.runs(y)) {
-      RC_ASSERT(run.from > end_before);
-      end_before = run.to;
+      RC_ASSERT(run.to < from_before);
+      from_before = run.from;
       for (int x = run.from; x < run.to; ++x) in_runs.insert(x);
     }
     for (int x = 0; x < lattice.width(); ++x) {
