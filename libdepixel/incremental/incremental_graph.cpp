@@ -74,13 +74,24 @@ void IncrementalGraph::move(const BlockMoves& blocks) {
   }
 }
 
+/// Blocks beside one with changed pixels, and blocks at a seam: all others moved together with those beside
+/// them, in which nothing changed. A narrow block, at the frame's border, does not hold all that lies near a
+/// seam there.
 void IncrementalGraph::find_near(const BlockMoves& blocks, RuleSet rules) {
-  seeds_ = blocks.changed();
-  if (rules.has(Rule::links_by_seams)) {
-    for (const BlockMoves::Seam& seam : blocks.seams()) seeds_.add(seam.column, seam.row);
+  const BlockGrid& grid = blocks.grid();
+  const auto is_narrow = [&](const BlockMoves::Seam& seam) {
+    return grid.end_x(seam.column) - grid.first_x(seam.column) < BlockGrid::kSide ||
+           grid.end_y(seam.row) - grid.first_y(seam.row) < BlockGrid::kSide;
+  };
+  const bool has_seams = rules.has(Rule::links_by_seams);
+  growing_ = blocks.changed();
+  for (const BlockMoves::Seam& seam : blocks.seams()) {
+    if (has_seams && is_narrow(seam)) growing_.add(seam.column, seam.row);
   }
-  near_.set_grown(seeds_);
-  const BlockGrid& grid = near_.grid();
+  near_.set_grown(growing_);
+  for (const BlockMoves::Seam& seam : blocks.seams()) {
+    if (has_seams) near_.add(seam.column, seam.row);
+  }
   if (near_.count() > kMostStale * grid.columns * grid.rows) near_.add_all();
   near_.find_runs();
 }

@@ -39,7 +39,7 @@ class IncrementalGraph {
   int crossings() const { return resolved_crossings_; }
 
   std::size_t memory_bytes() const {
-    return graph_.memory_bytes() + frozen_.memory_bytes() + seeds_.memory_bytes() + near_.memory_bytes() +
+    return graph_.memory_bytes() + frozen_.memory_bytes() + growing_.memory_bytes() + near_.memory_bytes() +
            stale_.memory_bytes() + stale_crossings_.memory_bytes() + crossings_.memory_bytes() +
            held_bytes(seams_, before_, moved_);
   }
@@ -56,7 +56,7 @@ class IncrementalGraph {
 
   SimilarityGraph graph_;   ///< resolved
   SimilarityGraph frozen_;  ///< its links alone, before crossings are resolved
-  BlockSet seeds_;          ///< blocks with changed pixels, and those beside a seam
+  BlockSet growing_;        ///< blocks that make those beside them near
   BlockSet near_;           ///< these, and those beside them
   BlockSet stale_;
   std::vector<int> seams_;  ///< pixels that are linked across one
