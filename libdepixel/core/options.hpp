@@ -22,6 +22,9 @@ struct Options {
   bool linear_light = false;
   int threads = 1;
 
+  /// Whether links and colours depend on whole components of similar pixels, and not on near pixels alone.
+  bool has_whole_components() const { return similarity == Similarity::merge || connect_lines; }
+
   friend bool operator==(const Options&, const Options&) = default;
 };
 

@@ -19,10 +19,6 @@ constexpr double kMostChanged = 0.1;
 /// What depends on a link lies at most so many pixels from it.
 constexpr int kLinkReach = 2;
 
-bool has_whole_components(const Options& options) {
-  return options.similarity == Similarity::merge || options.connect_lines;
-}
-
 /// Neighbours of a pixel in the directions that lead, at least partly, along a step; see
 /// SimilarityGraph::neighbours().
 unsigned neighbours_along(glm::ivec2 step) {
@@ -51,7 +47,7 @@ void IncrementalGraph::update(const FrameView& frame, const Options& options, co
                               RuleSet rules) {
   const CrossingVotes votes{options.curve_weight, options.sparse_weight, options.island_weight};
   is_new_ = false;
-  if (has_whole_components(options)) {
+  if (options.has_whole_components()) {
     stale_.reset(blocks.grid());
     stale_.add_all();
     stale_.find_runs();

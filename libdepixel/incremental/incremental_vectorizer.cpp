@@ -35,10 +35,6 @@ Options of_vectorizing(Options options) {
 /// No pixel's: those that nothing shows of are normalized.
 constexpr Rgba kUnknownColour{1, 1, 1, 0};
 
-bool has_whole_components(const Options& options) {
-  return options.similarity == Similarity::merge || options.connect_lines;
-}
-
 }  // namespace
 
 void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& options) {
@@ -116,7 +112,6 @@ void IncrementalVectorizer::forget(const Lattice& lattice) {
   table_.reserve(static_cast<std::size_t>(most_places(lattice) +
                                           kAddedPlacesAPixel * lattice.width() * lattice.height()));
   votes_.clear();
-  guess_.clear();
   edges_.lattice = lattice;
   edges_.curve.assign(2 * std::size_t(lattice.size()), 0);
   curves_before_.assign(edges_.curve.size(), 0);
@@ -169,7 +164,7 @@ void IncrementalVectorizer::move_blocks_of_map() {
 
 /// Colours and codes of all cells, and what pixels are thin.
 void IncrementalVectorizer::build_cells() {
-  const bool has_components = has_whole_components(*options_);
+  const bool has_components = options_->has_whole_components();
   if (has_components) {
     label_components(graph(), components_);
     find_majority_colours(graph(), components_);
@@ -181,7 +176,7 @@ void IncrementalVectorizer::build_cells() {
 }
 
 void IncrementalVectorizer::recolour() {
-  if (has_whole_components(*options_)) {
+  if (options_->has_whole_components()) {
     unpainted_ = cells_.colours;
     label_components(graph(), components_);
     find_majority_colours(graph(), components_);
@@ -226,7 +221,7 @@ void IncrementalVectorizer::encode_row(int y, std::span<const BlockSet::Run> run
   static_assert(sizeof(CornerCode) == 1);
   const int width = lattice().width(), first = lattice().corner(0, y);
   const auto* codes = reinterpret_cast<const std::uint8_t*>(cells_.corners.data()) + first;
-  const Components* components = has_whole_components(*options_) ? &components_ : nullptr;
+  const Components* components = options_->has_whole_components() ? &components_ : nullptr;
   for (const BlockSet::Run run : runs) {
     const int from = run.from, end = run.to == width ? width + 1 : run.to;
     row_before_.assign(codes + from, codes + end + sizeof(Byte16));

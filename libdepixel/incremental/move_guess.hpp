@@ -16,8 +16,6 @@ namespace depixel {
 /// changes no result.
 class MoveGuess {
  public:
-  void clear() { recent_.clear(); }
-
   /// Remembers a move that was found.
   void remember(glm::ivec2 move);
 

@@ -3,7 +3,7 @@
 namespace depixel {
 
 const PlanarMap& Vectorizer::vectorize(const FrameView& frame, const Options& options) {
-  const bool merges = options.similarity == Similarity::merge || options.connect_lines;
+  const bool merges = options.has_whole_components();
   workers_.set_threads(options.threads);
   StageClock clock(stats_);
 
