@@ -90,7 +90,7 @@ class IncrementalVectorizer {
   Arcs arcs_;
   MoveVotes votes_;
 
-  SplineTable table_;
+  SplineTable table_{true};
   std::size_t place_limit_ = 0;  ///< with more places, the table is made anew
   EdgeMap edges_;
   std::vector<int> curves_before_;

@@ -9,8 +9,8 @@
 namespace depixel {
 
 /// The curves of a frame's planar map, by lattice edge: numbers in a SplineTable. What lies where can be
-/// looked up, and what is equal has equal numbers; so this is the form in which maps are changed and
-/// compared.
+/// looked up, and where the table has equal numbers for equal curves, they tell what is equal; so this is the
+/// form in which maps are changed and compared.
 struct EdgeMap {
   Lattice lattice;
   std::vector<int> curve;  ///< by edge_slot(); 0 where the edge is invisible

@@ -151,6 +151,10 @@ int SplineTable::fit_added(Smoothing smoothing, Workers& workers) {
     });
   }
   for (std::size_t k = 0; k < steps; ++k) {
+    if (!has_equal_numbers_) {
+      numbers_[first_place + k] = add(added_curves_[k], added_tiles_[k]);
+      continue;
+    }
     if (k + kAhead < steps) curve_index_.prefetch(key_of(added_curves_[k + kAhead]));
     numbers_[first_place + k] = number_of(added_curves_[k], added_tiles_[k]);
   }
@@ -158,17 +162,21 @@ int SplineTable::fit_added(Smoothing smoothing, Workers& workers) {
   return count;
 }
 
-/// The number of a fitted curve; of a new one if it is not known.
-int SplineTable::number_of(const EdgeCurve& curve, TileMask tiles) {
-  const std::uint64_t key = key_of(curve);
-  const auto next = static_cast<int>(curves_.size());
-  const int number = curve_index_.find_or_add(key, next, [&](int known) { return curves_[known] == curve; });
-  if (number == next) {
-    curves_.push_back(curve);
-    tiles_.push_back(tiles);
-    fitted_.push_back(number);
-  }
+/// Adds a fitted curve. \return its number.
+int SplineTable::add(const EdgeCurve& curve, TileMask tiles) {
+  const auto number = static_cast<int>(curves_.size());
+  curves_.push_back(curve);
+  tiles_.push_back(tiles);
+  fitted_.push_back(number);
   return number;
+}
+
+/// The number of a fitted curve; it is added if it is not known.
+int SplineTable::number_of(const EdgeCurve& curve, TileMask tiles) {
+  const auto next = static_cast<int>(curves_.size());
+  const int number =
+      curve_index_.find_or_add(key_of(curve), next, [&](int known) { return curves_[known] == curve; });
+  return number == next ? add(curve, tiles) : number;
 }
 
 int SplineTable::joined(int fitted, bool southwards, glm::i16vec2 p0, glm::i16vec2 p3) {

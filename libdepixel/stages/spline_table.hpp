@@ -14,12 +14,14 @@ namespace depixel {
 /// The splines of all different shapes of arcs. A frame has far fewer shapes than arcs, and the next frame
 /// has mostly the same ones, wherever they have moved to: so each shape is fitted once.
 ///
-/// Curves are known by their number, which is never 0; equal curves have equal numbers. The steps of a shape
-/// have places that follow each other, and at each place stands the number of the step's curve. Numbers and
-/// places stay good until clear().
+/// Curves are known by their number, which is never 0. The steps of a shape have places that follow each
+/// other, and at each place stands the number of the step's curve. Numbers and places stay good until
+/// clear().
 class SplineTable {
  public:
-  SplineTable() { clear(); }
+  /// \param has_equal_numbers  equal curves that were fitted have equal numbers, so that numbers can be
+  ///                           compared; it takes time to look each up.
+  explicit SplineTable(bool has_equal_numbers = false) : has_equal_numbers_(has_equal_numbers) { clear(); }
 
   /// Forgets all shapes and curves.
   void clear();
@@ -83,8 +85,10 @@ class SplineTable {
     int shift_ = 0;  ///< from a scrambled key to a place
   };
 
+  int add(const EdgeCurve& curve, TileMask tiles);
   int number_of(const EdgeCurve& curve, TileMask tiles);
 
+  bool has_equal_numbers_;
   unsigned generation_ = 0;
   std::vector<ShapeWord> words_;
   std::vector<Shape> shapes_;

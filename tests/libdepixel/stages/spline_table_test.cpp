@@ -88,10 +88,10 @@ RC_GTEST_PROP(SplineTable, CurvesAreThoseOfArcsFittedAlone, (const Picture& pict
   }
 }
 
-RC_GTEST_PROP(SplineTable, EqualCurvesHaveEqualNumbers, (const Picture& picture)) {
+RC_GTEST_PROP(SplineTable, EqualCurvesHaveEqualNumbersIfAskedFor, (const Picture& picture)) {
   const Options options = *random_options();
   const Arcs arcs = arcs_of(picture, options);
-  SplineTable table;
+  SplineTable table(true);
   Workers workers;
   for (const Arc& arc : arcs.list) table.place_of(arcs.words(arc), arc.kind);
   table.fit_added(options.smoothing, workers);
