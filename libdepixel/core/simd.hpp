@@ -38,6 +38,15 @@ inline std::uint64_t load_bytes(const void* p) {
   return word;
 }
 
+/// Whether all of a vector's sixteen bytes are 0.
+template <typename Vector>
+bool is_zero(Vector v) {
+  static_assert(sizeof v == 2 * sizeof(std::uint64_t));
+  std::uint64_t halves[2];
+  std::memcpy(halves, &v, sizeof v);
+  return (halves[0] | halves[1]) == 0;
+}
+
 /// Eight floats that are worked on together; operators act on each lane. Plain IEEE arithmetic, so the bits
 /// are those of scalar code.
 using Float8 = float __attribute__((vector_size(32)));

@@ -1,8 +1,6 @@
 #include "libdepixel/incremental/block_moves.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cstring>
 
 #include "libdepixel/core/normalized_pixels.hpp"
@@ -41,8 +39,7 @@ bool is_known_block(const std::uint8_t* row, std::ptrdiff_t pitch, const Rgba* k
     differing |= load_normalized(row) ^ load_vector<Word4>(known);
     differing |= load_normalized(row + sizeof(Word4)) ^ load_vector<Word4>(known + kWordLanes);
   }
-  const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(differing);
-  return (halves[0] | halves[1]) == 0;
+  return is_zero(differing);
 }
 
 }  // namespace

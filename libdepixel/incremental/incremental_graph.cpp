@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 
-#include "libdepixel/core/normalized_pixels.hpp"
 #include "libdepixel/incremental/byte_rows.hpp"
 
 namespace depixel {
@@ -57,7 +55,7 @@ void IncrementalGraph::update(const FrameView& frame, const Options& options, co
   }
   if (blocks.any_moved()) move(blocks);
   find_near(blocks, rules);
-  take_pixels(frame, blocks);
+  take_changed(frame, blocks);
   if (rules.has(Rule::links_by_pixels) || !blocks.is_known()) relink();
   near_.has_all() ? resolve_all(votes) : resolve_some(votes, blocks, rules);
 }
@@ -92,25 +90,14 @@ void IncrementalGraph::find_near(const BlockMoves& blocks, RuleSet rules) {
   near_.find_runs();
 }
 
-void IncrementalGraph::take_pixels(const FrameView& frame, const BlockMoves& blocks) {
-  const Lattice& lattice = graph_.lattice;
-  const auto take = [&](int y, int from, int to) {
-    const std::uint8_t* row = frame.pixels + y * frame.pitch;
-    Rgba* known = graph_.pixels.data() + lattice.pixel(0, y);
-    int x = from;
-    for (; x + kWordLanes <= to; x += kWordLanes) {
-      store_vector(known + x, load_normalized(row + sizeof(Rgba) * x));
-    }
-    for (; x < to; ++x) {
-      std::memcpy(known + x, row + sizeof(Rgba) * x, sizeof(Rgba));
-      known[x] = normalized(known[x]);
-    }
-  };
-  for (int y = 0; y < lattice.height(); ++y) {
+void IncrementalGraph::take_changed(const FrameView& frame, const BlockMoves& blocks) {
+  for (int y = 0; y < frame.height; ++y) {
     if (blocks.any_moved()) {
-      take(y, 0, lattice.width());
+      take_pixels(frame, y, 0, frame.width, graph_);
     } else {
-      for (const BlockSet::Run run : blocks.changed().runs(y)) take(y, run.from, run.to);
+      for (const BlockSet::Run run : blocks.changed().runs(y)) {
+        take_pixels(frame, y, run.from, run.to, graph_);
+      }
     }
   }
 }

@@ -47,7 +47,7 @@ class IncrementalGraph {
  private:
   void move(const BlockMoves& blocks);
   void find_near(const BlockMoves& blocks, RuleSet rules);
-  void take_pixels(const FrameView& frame, const BlockMoves& blocks);
+  void take_changed(const FrameView& frame, const BlockMoves& blocks);
   void relink();
   void find_seams(const BlockMoves& blocks);
   void resolve_all(const CrossingVotes& votes);

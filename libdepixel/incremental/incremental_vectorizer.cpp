@@ -162,14 +162,17 @@ void IncrementalVectorizer::move_blocks_of_map() {
   forget_set_curves();
 }
 
+/// Those of the frame, where cells are made of whole ones; else none.
+const Components* IncrementalVectorizer::find_components() {
+  if (!options_->has_whole_components()) return nullptr;
+  label_components(graph(), components_);
+  find_majority_colours(graph(), components_);
+  return &components_;
+}
+
 /// Colours and codes of all cells, and what pixels are thin.
 void IncrementalVectorizer::build_cells() {
-  const bool has_components = options_->has_whole_components();
-  if (has_components) {
-    label_components(graph(), components_);
-    find_majority_colours(graph(), components_);
-  }
-  build_cell_graph(graph(), has_components ? &components_ : nullptr, cells_);
+  build_cell_graph(graph(), find_components(), cells_);
   if (options_->smoothing == Smoothing::energy) find_thin_pixels(graph(), thin_);
   stale_.clear();
   is_opaque_ = depixel::is_opaque(lattice(), cells_.colours);
@@ -178,9 +181,7 @@ void IncrementalVectorizer::build_cells() {
 void IncrementalVectorizer::recolour() {
   if (options_->has_whole_components()) {
     unpainted_ = cells_.colours;
-    label_components(graph(), components_);
-    find_majority_colours(graph(), components_);
-    paint_cells(graph(), &components_, cells_);
+    paint_cells(graph(), find_components(), cells_);
     find_changed_colours(graph_.stale(), unpainted_);
   } else {
     find_changed_colours(blocks_.changed(), graph().pixels);
@@ -209,7 +210,7 @@ void IncrementalVectorizer::find_changed_colours(const BlockSet& blocks, const s
 void IncrementalVectorizer::encode() {
   stale_.clear();
   stale_codes_.clear();
-  if (!rules_.has(Rule::codes_by_pixels) && blocks_.is_known()) return;
+  if (!rules_.has(Rule::codes_by_pixels)) return;
   for (int y = 0; y <= lattice().height(); ++y) {
     const auto runs = graph_.stale().runs(std::min(y, lattice().height() - 1));
     if (!runs.empty()) encode_row(y, runs);

@@ -49,6 +49,7 @@ class IncrementalVectorizer {
   void settle_before();
   void forget_set_curves();
   void move_blocks_of_map();
+  const Components* find_components();
   void build_cells();
   void recolour();
   void find_changed_colours(const BlockSet& blocks, const std::vector<Rgba>& others);

@@ -20,9 +20,7 @@ std::array<int, 4> edges_round(int pixel, int stride) {
 
 /// Whether sixteen bytes from two places on are equal.
 bool are_equal(const void* a, const void* b) {
-  const auto halves =
-      std::bit_cast<std::array<std::uint64_t, 2>>(load_vector<Byte16>(a) ^ load_vector<Byte16>(b));
-  return (halves[0] | halves[1]) == 0;
+  return is_zero(load_vector<Byte16>(a) ^ load_vector<Byte16>(b));
 }
 
 /// What is known of a tile: nothing, that it may not be what its block's move brings, and that it is not.

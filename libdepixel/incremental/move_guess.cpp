@@ -22,11 +22,6 @@ constexpr int kSamplesAtFirst = 32;
 /// Layers that are found by trying, at most.
 constexpr int kMostUnknown = 2;
 
-bool is_equal(Word4 a, Word4 b) {
-  const Word4 differing = a ^ b;
-  return (differing[0] | differing[1] | differing[2] | differing[3]) == 0;
-}
-
 bool agrees(const FrameView& frame, const SimilarityGraph& before, glm::ivec2 at, glm::ivec2 move) {
   const glm::ivec2 from = at - move;
   const bool is_inside =
@@ -34,7 +29,7 @@ bool agrees(const FrameView& frame, const SimilarityGraph& before, glm::ivec2 at
   if (!is_inside) return false;
   const auto known = load_vector<Word4>(before.pixels.data() + before.lattice.pixel(from.x, from.y));
   const std::uint8_t* now = frame.pixels + at.y * frame.pitch + std::ptrdiff_t{sizeof(Rgba)} * at.x;
-  return is_equal(load_normalized(now), known);
+  return is_zero(load_normalized(now) ^ known);
 }
 
 template <typename Set>

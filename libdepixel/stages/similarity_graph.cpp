@@ -12,22 +12,6 @@
 namespace depixel {
 namespace {
 
-void load_pixels(const FrameView& frame, SimilarityGraph& graph) {
-  const Lattice& lattice = graph.lattice;
-  for (int y = 0; y < lattice.height(); ++y) {
-    const std::uint8_t* from = frame.pixels + y * frame.pitch;
-    Rgba* to = graph.pixels.data() + lattice.pixel(0, y);
-    int x = 0;
-    for (; x + kWordLanes <= lattice.width(); x += kWordLanes) {
-      store_vector(to + x, load_normalized(from + 4 * x));
-    }
-    for (; x < lattice.width(); ++x) {
-      std::memcpy(to + x, from + 4 * x, sizeof(Rgba));
-      to[x] = normalized(to[x]);
-    }
-  }
-}
-
 /// Equal colours of four blocks from `row` on, as BlockLink masks; frozen if asked for: a block of four equal
 /// pixels keeps its sides alone. (Equality is transitive, so three equal pixels in a block would be four.)
 template <bool kFreeze>
@@ -150,6 +134,19 @@ void find_neighbours(const SimilarityGraph& graph, std::vector<std::uint8_t>& ma
   }
 }
 
+void take_pixels(const FrameView& frame, int y, int from, int to, SimilarityGraph& graph) {
+  const std::uint8_t* row = frame.pixels + y * frame.pitch;
+  Rgba* pixels = graph.pixels.data() + graph.lattice.pixel(0, y);
+  int x = from;
+  for (; x + kWordLanes <= to; x += kWordLanes) {
+    store_vector(pixels + x, load_normalized(row + sizeof(Rgba) * x));
+  }
+  for (; x < to; ++x) {
+    std::memcpy(pixels + x, row + sizeof(Rgba) * x, sizeof(Rgba));
+    pixels[x] = normalized(pixels[x]);
+  }
+}
+
 std::array<int, 8> neighbour_offsets(const Lattice& lattice) {
   const int s = lattice.stride();
   return {-s, -s + 1, 1, s + 1, s, s - 1, -1, -s - 1};
@@ -160,7 +157,7 @@ namespace {
 void load_frame(const FrameView& frame, SimilarityGraph& graph) {
   assert(frame.width > 0 && frame.height > 0);
   graph.resize(Lattice(frame.width, frame.height));
-  load_pixels(frame, graph);
+  for (int y = 0; y < frame.height; ++y) take_pixels(frame, y, 0, frame.width, graph);
 }
 
 }  // namespace

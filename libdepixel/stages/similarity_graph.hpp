@@ -66,6 +66,10 @@ std::array<int, 8> neighbour_offsets(const Lattice& lattice);
 void build_similarity_graph(const FrameView& frame, Similarity similarity, bool connect_lines,
                             SimilarityGraph& graph);
 
+/// Takes over a part of row y of a frame's pixels, from .. to - 1, normalized.
+/// \param graph  of the frame's size.
+void take_pixels(const FrameView& frame, int y, int from, int to, SimilarityGraph& graph);
+
 /// A part of row y of it, from .. to - 1, and maybe up to fifteen blocks more, for exact similarity and
 /// without connect-lines: a block's links depend on its four pixels alone. \param graph  its pixels are read.
 /// \param links  padded; only the row's entries are written.
