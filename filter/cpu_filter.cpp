@@ -22,8 +22,7 @@ class CpuFilter final : public FrameFilter {
     if (picture == nullptr) {
       return tl::unexpected(Error{"The filter that draws by the processor draws to pictures only."});
     }
-    const PictureView part{picture->pixels + viewport.y * picture->pitch + std::ptrdiff_t{4} * viewport.x,
-                           viewport.width, viewport.height, picture->pitch};
+    const PictureView part = part_of(*picture, viewport);
     const bool is_kept = std::holds_alternative<KeptPicture>(target);
     {
       stats_.draw_ns = 0;
@@ -45,8 +44,9 @@ class CpuFilter final : public FrameFilter {
   tl::expected<void, Error> compare_with_scratch(const PictureView& drawn, const View& view) const {
     const std::size_t row = std::size_t{4} * drawn.width;
     std::vector<std::uint8_t> pixels(row * drawn.height);
-    CpuRaster().draw(vectorizer_.map(), view, options_.linear_light, 1,
-                     {pixels.data(), drawn.width, drawn.height, static_cast<std::ptrdiff_t>(row)});
+    CpuRaster().draw(
+        vectorizer_.map(), view, options_.linear_light, 1,
+        {pixels.data(), drawn.width, drawn.height, static_cast<std::ptrdiff_t>(row), drawn.order});
     for (int y = 0; y < drawn.height; ++y) {
       if (std::memcmp(drawn.pixels + y * drawn.pitch, pixels.data() + row * y, row) != 0) {
         return tl::unexpected(

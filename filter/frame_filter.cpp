@@ -48,6 +48,11 @@ const PictureView* picture_of(const Target& target) {
   return std::get_if<PictureView>(&target);
 }
 
+PictureView part_of(const PictureView& picture, const Viewport& viewport) {
+  return {picture.pixels + viewport.y * picture.pitch + std::ptrdiff_t{4} * viewport.x, viewport.width,
+          viewport.height, picture.pitch, picture.order};
+}
+
 tl::expected<void, Error> FrameFilter::check(const Target& target, const Viewport& viewport,
                                              const View& view) const {
   if (!has_frame_) return refuse("There is no frame to draw yet.");

@@ -41,6 +41,9 @@ struct Viewport {
   int width = 0, height = 0;
 };
 
+/// The part of a picture under a viewport.
+PictureView part_of(const PictureView& picture, const Viewport& viewport);
+
 /// What the last submit() and draw() took.
 struct FilterStats {
   std::int64_t submit_ns = 0;  ///< all of submit()

@@ -1,6 +1,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -92,8 +94,9 @@ class GlFilter final : public FrameFilter {
     }
     const Stopwatch time(stats_.draw_ns);
     const PictureView* picture = picture_of(target);
-    auto drawn = picture != nullptr ? draw_to_picture(*picture, viewport, view)
-                                    : draw_to(std::get<GlFramebuffer>(target), viewport, view);
+    auto drawn = picture != nullptr
+                     ? draw_to_picture(*picture, viewport, view, std::holds_alternative<KeptPicture>(target))
+                     : draw_to(std::get<GlFramebuffer>(target), viewport, view);
     if (!drawn) return drawn;
     if (auto error = take_error(gl_)) {
       is_uploaded_ = false;  // who knows what was refused
@@ -116,6 +119,7 @@ class GlFilter final : public FrameFilter {
     const Stopwatch time(stats_.prepare_ns);
     if (!is_cut) {
       updater_.update(vectorizer_, changes_, scale, options_.linear_light);
+      add_stale_rows();
       changes_.set_nothing();
       if (!raster_->has_room_for(updater_.tiles())) updater_.compact();
     }
@@ -141,12 +145,46 @@ class GlFilter final : public FrameFilter {
     return {};
   }
 
+  void add_stale_rows() {
+    if (updater_.is_all_new()) {
+      drawn_ = {};
+      return;
+    }
+    for (const TileBox& box : updater_.new_boxes()) {
+      stale_.first = std::min(stale_.first, box.north);
+      stale_.end = std::max(stale_.end, box.south);
+    }
+  }
+
+  /// The rows of a picture that do not hold what they should.
+  Readback::Rows rows_to_draw(const PictureView& part, const View& view, bool is_kept) const {
+    if (!is_kept || !(drawn_.part == part && drawn_.view == view)) return {0, part.height};
+    if (stale_.first >= stale_.end) return {0, 0};
+    const auto row = [&](int source_y) { return (source_y - view.origin_y) * view.scale_y; };
+    const double first = std::floor(row(stale_.first)) - 1, end = std::ceil(row(stale_.end)) + 1;
+    return {static_cast<int>(std::clamp(first, 0.0, double(part.height))),
+            static_cast<int>(std::clamp(end, 0.0, double(part.height)))};
+  }
+
   tl::expected<void, Error> draw_to_picture(const PictureView& picture, const Viewport& viewport,
-                                            const View& view) {
-    if (auto bound = readback_.bind(gl_, viewport.width, viewport.height); !bound) return bound;
-    raster_->draw({0, 0, viewport.width, viewport.height}, view, options_.linear_light);
-    readback_.read(gl_, {picture.pixels + viewport.y * picture.pitch + std::ptrdiff_t{4} * viewport.x,
-                         viewport.width, viewport.height, picture.pitch});
+                                            const View& view, bool is_kept) {
+    const PictureView part = part_of(picture, viewport);
+    const Readback::Rows rows = rows_to_draw(part, view, is_kept);
+    drawn_ = {};
+    if (rows.first < rows.end) {
+      if (auto bound = readback_.bind(gl_, part.width, part.height); !bound) return bound;
+      const int band = (rows.end - rows.first + kBands - 1) / kBands;
+      for (int first = rows.first; first < rows.end; first += band) {
+        const Readback::Rows some{first, std::min(first + band, rows.end)};
+        Readback::restrict_to(gl_, part, some);
+        raster_->draw({0, 0, part.width, part.height}, view, options_.linear_light);
+        readback_.request(gl_, part, some);
+      }
+      gl_.Disable(GL_SCISSOR_TEST);
+      if (auto taken = readback_.take(gl_, part); !taken) return taken;
+    }
+    drawn_ = {part, view};
+    stale_ = kNoRows;
     return {};
   }
 
@@ -154,6 +192,18 @@ class GlFilter final : public FrameFilter {
   GladGLContext gl_{};
   std::optional<GlRaster> raster_;
   Readback readback_;
+  /// What the picture drawn last was drawn as; a part without pixels where that is not to be relied on.
+  struct Drawn {
+    PictureView part;
+    View view;
+  };
+
+  /// Pictures are drawn and read back in so many bands.
+  static constexpr int kBands = 4;
+  static constexpr Readback::Rows kNoRows{std::numeric_limits<int>::max(), 0};
+
+  Drawn drawn_;
+  Readback::Rows stale_ = kNoRows;  ///< of the source, that changed since
   LineTilesUpdater updater_;
   MapChanges changes_;        ///< since the last update of tiles
   bool is_uploaded_ = false;  ///< the context holds all tiles, as of the last update

@@ -39,8 +39,4 @@ CLI::Option* add_scale_flag(CLI::App& app, const std::string& flag, std::optiona
 CLI::Option* add_size_flag(CLI::App& app, const std::string& flag, std::optional<OutputSize>& into,
                            const std::string& help);
 
-/// A number in decimal digits, finite, that is all of the text; none otherwise.
-std::optional<double> parse_number(std::string_view text);
-std::optional<int> parse_count(std::string_view text);
-
 }  // namespace depixel

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "apps/common/option_flags.hpp"
-#include "apps/headless/headless_context.hpp"
+#include "apps/headless/context_kind.hpp"
 #include "libdepixel/core/options.hpp"
 #include "libdepixel/views/stage_view.hpp"
 

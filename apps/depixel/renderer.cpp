@@ -50,7 +50,7 @@ tl::expected<Renderer, Error> Renderer::create(const Arguments& arguments) {
 }
 
 tl::expected<void, Error> Renderer::start_gl() {
-  auto context = HeadlessContext::create(arguments_->context);
+  auto context = create_headless_context(arguments_->context);
   if (!context) return tl::unexpected(context.error());
   context_ = std::move(*context);
   auto filter = FrameFilter::gl(context_->loader());

@@ -9,7 +9,7 @@
 #include "apps/common/picture.hpp"
 #include "apps/depixel/command_line.hpp"
 #include "apps/depixel/stats.hpp"
-#include "apps/headless/headless_context.hpp"
+#include "apps/headless/context_kind.hpp"
 #include "filter/frame_filter.hpp"
 #include "libdepixel/core/error.hpp"
 #include "libdepixel/pipeline/verify.hpp"

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "apps/headless/headless_context.hpp"
+#include "apps/headless/context_kind.hpp"
 
 namespace depixel {
 namespace {
@@ -18,7 +18,6 @@ class OsmesaContext final : public HeadlessContext {
   bool make_current() override {
     return OSMesaMakeCurrent(context_, buffer_.data(), GL_UNSIGNED_BYTE, kSide, kSide) == GL_TRUE;
   }
-  ContextKind kind() const override { return ContextKind::osmesa; }
   GlLoader loader() const override { return OSMesaGetProcAddress; }
 
  private:

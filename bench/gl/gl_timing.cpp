@@ -29,7 +29,7 @@ void check(const tl::expected<void, Error>& result) {
 }  // namespace
 
 GlTimer::GlTimer(std::optional<ContextKind> kind) {
-  auto context = HeadlessContext::create(kind);
+  auto context = create_headless_context(kind);
   if (!context) throw std::runtime_error(context.error().message);
   context_ = std::move(*context);
   gladLoadGLContext(&gl_, context_->loader());

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "apps/headless/headless_context.hpp"
+#include "apps/headless/context_kind.hpp"
 #include "bench/common/picture.hpp"
 #include "filter/frame_filter.hpp"
 #include "filter/gl/gl_object.hpp"

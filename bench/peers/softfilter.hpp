@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/common/picture.hpp"
-#include "bench/peers/softfilter_interface.hpp"
+#include "libretro_glue/softfilter_interface.hpp"
 
 namespace depixel::bench {
 

@@ -47,6 +47,9 @@ inline void texture(const GladGLContext& gl, GLuint name) {
 inline void vertex_array(const GladGLContext& gl, GLuint name) {
   gl.DeleteVertexArrays(1, &name);
 }
+inline void buffer(const GladGLContext& gl, GLuint name) {
+  gl.DeleteBuffers(1, &name);
+}
 inline void framebuffer(const GladGLContext& gl, GLuint name) {
   gl.DeleteFramebuffers(1, &name);
 }
@@ -59,6 +62,7 @@ using GlShader = GlObject<gl_delete::shader>;
 using GlProgram = GlObject<gl_delete::program>;
 using GlTexture = GlObject<gl_delete::texture>;
 using GlVertexArray = GlObject<gl_delete::vertex_array>;
+using GlBuffer = GlObject<gl_delete::buffer>;
 using GlFramebufferObject = GlObject<gl_delete::framebuffer>;
 using GlRenderbuffer = GlObject<gl_delete::renderbuffer>;
 

@@ -53,6 +53,7 @@ GLuint name(GLint value) {
 GlStateGuard::GlStateGuard(const GladGLContext& gl) : gl_(gl) {
   const bool is_desktop = gl.VERSION_3_3 != 0;
   gl.GetIntegerv(GL_VIEWPORT, viewport_.data());
+  gl.GetIntegerv(GL_SCISSOR_BOX, scissor_box_.data());
   gl.GetBooleanv(GL_COLOR_WRITEMASK, color_mask_.data());
   gl.GetIntegerv(GL_CURRENT_PROGRAM, &program_);
   gl.GetIntegerv(GL_VERTEX_ARRAY_BINDING, &vertex_array_);
@@ -111,6 +112,7 @@ GlStateGuard::~GlStateGuard() {
   gl_.BindVertexArray(name(vertex_array_));
   gl_.UseProgram(name(program_));
   gl_.ColorMask(color_mask_[0], color_mask_[1], color_mask_[2], color_mask_[3]);
+  gl_.Scissor(scissor_box_[0], scissor_box_[1], scissor_box_[2], scissor_box_[3]);
   gl_.Viewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
 }
 

@@ -29,7 +29,7 @@ class GlStateGuard {
   std::array<GLboolean, kSwitchCount> switches_{};
   std::array<GLint, kPixelStoreCount> pixel_stores_{};
   std::array<Unit, kUnits> units_;
-  std::array<GLint, 4> viewport_{};
+  std::array<GLint, 4> viewport_{}, scissor_box_{};
   std::array<GLboolean, 4> color_mask_{};
   std::array<GLint, 2> polygon_mode_{};
   GLint active_unit_ = 0, program_ = 0, vertex_array_ = 0, renderbuffer_ = 0;

@@ -15,12 +15,21 @@ struct FrameView {
   std::ptrdiff_t pitch = 0;              ///< bytes from one row to the next
 };
 
-/// Like FrameView, to be written to.
+/// The order of a pixel's bytes in memory.
+enum class ChannelOrder {
+  rgba,
+  bgra  ///< on little-endian machines, words of 0xAARRGGBB
+};
+
+/// Like FrameView, to be written to, in an order of its own.
 struct PictureView {
   std::uint8_t* pixels = nullptr;
   int width = 0;
   int height = 0;
   std::ptrdiff_t pitch = 0;
+  ChannelOrder order = ChannelOrder::rgba;
+
+  friend bool operator==(const PictureView&, const PictureView&) = default;
 };
 
 }  // namespace depixel

@@ -42,9 +42,8 @@ void unite(const std::uint8_t* from, int count, std::uint8_t* to) {
 }  // namespace
 
 bool PictureUpdater::Drawn::operator==(const Drawn& other) const {
-  return target.pixels == other.target.pixels && target.width == other.target.width &&
-         target.height == other.target.height && target.pitch == other.target.pitch && view == other.view &&
-         lattice == other.lattice && linear_light == other.linear_light && opaque == other.opaque;
+  return target == other.target && view == other.view && lattice == other.lattice &&
+         linear_light == other.linear_light && opaque == other.opaque;
 }
 
 void PictureUpdater::draw(const IncrementalVectorizer& source, const MapChanges& changes, const View& view,
@@ -67,11 +66,14 @@ void PictureUpdater::draw(const IncrementalVectorizer& source, const MapChanges&
   }
   if (!changes.any()) return;
   workers_.set_threads(threads);
+  const std::vector<Rgba>& colours = colours_.of(source.colours(), target.order);
   moved_pixels_ = mover_.move(grid, changes, is_stale_);
   if (opaque) {
-    linear_light ? draw_stale<OpaqueLight>(source, grid) : draw_stale<OpaqueColour>(source, grid);
+    linear_light ? draw_stale<OpaqueLight>(source, colours, grid)
+                 : draw_stale<OpaqueColour>(source, colours, grid);
   } else {
-    linear_light ? draw_stale<Translucent<true>>(source, grid) : draw_stale<Translucent<false>>(source, grid);
+    linear_light ? draw_stale<Translucent<true>>(source, colours, grid)
+                 : draw_stale<Translucent<false>>(source, colours, grid);
   }
 }
 
@@ -134,11 +136,10 @@ void PictureUpdater::find_windows(const IncrementalVectorizer& source, const Out
 }
 
 template <typename Model>
-void PictureUpdater::draw_window(const IncrementalVectorizer& source, const OutputGrid& grid,
-                                 const Strip& strip, const Window& window, BandSums<Model>& sums,
-                                 Scratch& scratch) const {
+void PictureUpdater::draw_window(const IncrementalVectorizer& source, const std::vector<Rgba>& colours,
+                                 const OutputGrid& grid, const Strip& strip, const Window& window,
+                                 BandSums<Model>& sums, Scratch& scratch) const {
   const Lattice& lattice = grid.lattice;
-  const std::vector<Rgba>& colours = source.colours();
   const bool is_clear_west = window.clear < window.from;
   const bool is_flattened = FlattenedCurves::fits(grid);
   // Corners whose edges are looked at, first .. end, and what their curves may reach. Where a source pixel is
@@ -218,17 +219,19 @@ void PictureUpdater::draw_window(const IncrementalVectorizer& source, const Outp
 }
 
 template <typename Model>
-void PictureUpdater::draw_stale(const IncrementalVectorizer& source, const OutputGrid& grid) {
+void PictureUpdater::draw_stale(const IncrementalVectorizer& source, const std::vector<Rgba>& colours,
+                                const OutputGrid& grid) {
   if (TilePainter::fits(grid)) {
-    drawn_pixels_ = painter_.draw<Model>(source, grid, is_stale_, workers_);
+    drawn_pixels_ = painter_.draw<Model>(source, colours, grid, is_stale_, workers_);
   } else {
     find_strips(grid);
-    draw_strips<Model>(source, grid);
+    draw_strips<Model>(source, colours, grid);
   }
 }
 
 template <typename Model>
-void PictureUpdater::draw_strips(const IncrementalVectorizer& source, const OutputGrid& grid) {
+void PictureUpdater::draw_strips(const IncrementalVectorizer& source, const std::vector<Rgba>& colours,
+                                 const OutputGrid& grid) {
   auto& sums = std::get<std::vector<BandSums<Model>>>(sums_);
   const auto threads = static_cast<std::size_t>(workers_.threads());
   if (sums.size() < threads) sums.resize(threads);
@@ -242,7 +245,7 @@ void PictureUpdater::draw_strips(const IncrementalVectorizer& source, const Outp
     Scratch& own = scratch_[thread];
     find_windows(source, grid, strips_[part], own);
     for (const Window& window : own.windows) {
-      draw_window(source, grid, strips_[part], window, sums[thread], own);
+      draw_window(source, colours, grid, strips_[part], window, sums[thread], own);
     }
   });
   for (const Scratch& own : scratch_) drawn_pixels_ += own.drawn_pixels;
@@ -250,7 +253,7 @@ void PictureUpdater::draw_strips(const IncrementalVectorizer& source, const Outp
 
 std::size_t PictureUpdater::memory_bytes() const {
   std::size_t bytes = raster_.memory_bytes() + mover_.memory_bytes() + painter_.memory_bytes() +
-                      held_bytes(is_stale_, strips_);
+                      held_bytes(is_stale_, strips_) + colours_.memory_bytes();
   for (const Scratch& own : scratch_) bytes += own.flattened.memory_bytes();
   return bytes;
 }

@@ -9,6 +9,7 @@
 #include "libdepixel/incremental/tile_painter.hpp"
 #include "libdepixel/raster/cpu_raster.hpp"
 #include "libdepixel/raster/flattened_curves.hpp"
+#include "libdepixel/raster/ordered_colours.hpp"
 
 namespace depixel {
 
@@ -62,15 +63,18 @@ class PictureUpdater {
   };
 
   template <typename Model>
-  void draw_stale(const IncrementalVectorizer& source, const OutputGrid& grid);
+  void draw_stale(const IncrementalVectorizer& source, const std::vector<Rgba>& colours,
+                  const OutputGrid& grid);
   void find_strips(const OutputGrid& grid);
   void find_windows(const IncrementalVectorizer& source, const OutputGrid& grid, const Strip& strip,
                     Scratch& scratch) const;
   template <typename Model>
-  void draw_strips(const IncrementalVectorizer& source, const OutputGrid& grid);
+  void draw_strips(const IncrementalVectorizer& source, const std::vector<Rgba>& colours,
+                   const OutputGrid& grid);
   template <typename Model>
-  void draw_window(const IncrementalVectorizer& source, const OutputGrid& grid, const Strip& strip,
-                   const Window& window, BandSums<Model>& sums, Scratch& scratch) const;
+  void draw_window(const IncrementalVectorizer& source, const std::vector<Rgba>& colours,
+                   const OutputGrid& grid, const Strip& strip, const Window& window, BandSums<Model>& sums,
+                   Scratch& scratch) const;
 
   Workers workers_;
   CpuRaster raster_;
@@ -81,6 +85,7 @@ class PictureUpdater {
   std::vector<Strip> strips_;           ///< those with stale tiles
   std::vector<Scratch> scratch_;        ///< one a thread
   BandSumsOfModels sums_;
+  OrderedColours colours_;
   std::int64_t drawn_pixels_ = 0, moved_pixels_ = 0;
 };
 

@@ -32,11 +32,11 @@ void TilePainter::Scratch::start(const SplineTable& of_table, const OutputGrid& 
 
 /// Adds what the curves that touch a run's tiles, or the one on its west, change in the run.
 template <typename Model>
-void TilePainter::add_curves(const IncrementalVectorizer& source, const OutputGrid& grid, const Run& run,
-                             Scratch& scratch, typename Model::Sums* sums) {
+void TilePainter::add_curves(const IncrementalVectorizer& source, const std::vector<Rgba>& colours,
+                             const OutputGrid& grid, const Run& run, Scratch& scratch,
+                             typename Model::Sums* sums) {
   const Lattice& lattice = grid.lattice;
   const SplineTable& table = source.table();
-  const std::vector<Rgba>& colours = source.colours();
   const std::ptrdiff_t scale_x = grid.x.whole_scale(), scale_y = grid.y.whole_scale();
   const int beside = run.from - 1;  // the tile whose centre is seen from, unless it lies outside the frame
   const int west = std::max(beside, 0), first = std::max(west - 1, 0);
@@ -100,18 +100,19 @@ void TilePainter::resolve(const OutputGrid& grid, const Run& run, Rgba colour, t
 }
 
 template <typename Model>
-void TilePainter::draw_run(const IncrementalVectorizer& source, const OutputGrid& grid, const Run& run,
-                           Scratch& scratch) {
+void TilePainter::draw_run(const IncrementalVectorizer& source, const std::vector<Rgba>& colours,
+                           const OutputGrid& grid, const Run& run, Scratch& scratch) {
   auto* sums = std::get<std::vector<typename Model::Sums>>(scratch.sums).data();
   const int west = grid.lattice.pixel(std::max(run.from - 1, 0), run.row);
-  add_curves<Model>(source, grid, run, scratch, sums);
-  resolve<Model>(grid, run, source.colours()[west], sums);
+  add_curves<Model>(source, colours, grid, run, scratch, sums);
+  resolve<Model>(grid, run, colours[west], sums);
   scratch.drawn_pixels += std::int64_t{run.to - run.from} * grid.x.whole_scale() * grid.y.whole_scale();
 }
 
 template <typename Model>
-std::int64_t TilePainter::draw(const IncrementalVectorizer& source, const OutputGrid& grid,
-                               const std::vector<std::uint8_t>& is_stale, Workers& workers) {
+std::int64_t TilePainter::draw(const IncrementalVectorizer& source, const std::vector<Rgba>& colours,
+                               const OutputGrid& grid, const std::vector<std::uint8_t>& is_stale,
+                               Workers& workers) {
   const Lattice& lattice = grid.lattice;
   const int width = lattice.width(), pitch = sums_pitch(grid);
   const auto threads = static_cast<std::size_t>(workers.threads());
@@ -133,7 +134,7 @@ std::int64_t TilePainter::draw(const IncrementalVectorizer& source, const Output
       for (x = run.to; x < width && x - run.to < kLeastGap; ++x) {
         if (stale[x] != 0) run.to = x + 1;
       }
-      draw_run<Model>(source, grid, run, scratch_[thread]);
+      draw_run<Model>(source, colours, grid, run, scratch_[thread]);
     }
   });
   std::int64_t drawn = 0;
@@ -149,13 +150,17 @@ std::size_t TilePainter::memory_bytes() const {
   return bytes;
 }
 
-template std::int64_t TilePainter::draw<OpaqueColour>(const IncrementalVectorizer&, const OutputGrid&,
-                                                      const std::vector<std::uint8_t>&, Workers&);
-template std::int64_t TilePainter::draw<OpaqueLight>(const IncrementalVectorizer&, const OutputGrid&,
-                                                     const std::vector<std::uint8_t>&, Workers&);
-template std::int64_t TilePainter::draw<Translucent<false>>(const IncrementalVectorizer&, const OutputGrid&,
+template std::int64_t TilePainter::draw<OpaqueColour>(const IncrementalVectorizer&, const std::vector<Rgba>&,
+                                                      const OutputGrid&, const std::vector<std::uint8_t>&,
+                                                      Workers&);
+template std::int64_t TilePainter::draw<OpaqueLight>(const IncrementalVectorizer&, const std::vector<Rgba>&,
+                                                     const OutputGrid&, const std::vector<std::uint8_t>&,
+                                                     Workers&);
+template std::int64_t TilePainter::draw<Translucent<false>>(const IncrementalVectorizer&,
+                                                            const std::vector<Rgba>&, const OutputGrid&,
                                                             const std::vector<std::uint8_t>&, Workers&);
-template std::int64_t TilePainter::draw<Translucent<true>>(const IncrementalVectorizer&, const OutputGrid&,
+template std::int64_t TilePainter::draw<Translucent<true>>(const IncrementalVectorizer&,
+                                                           const std::vector<Rgba>&, const OutputGrid&,
                                                            const std::vector<std::uint8_t>&, Workers&);
 
 }  // namespace depixel

@@ -20,11 +20,12 @@ class TilePainter {
   /// True for grids that this is for: with the frame inside the target.
   static bool fits(const OutputGrid& grid);
 
+  /// \param colours   the source's, in the target's order of channels.
   /// \param is_stale  padded, by tile: 1 for those to draw, else 0.
   /// \return the output pixels that were drawn.
   template <typename Model>
-  std::int64_t draw(const IncrementalVectorizer& source, const OutputGrid& grid,
-                    const std::vector<std::uint8_t>& is_stale, Workers& workers);
+  std::int64_t draw(const IncrementalVectorizer& source, const std::vector<Rgba>& colours,
+                    const OutputGrid& grid, const std::vector<std::uint8_t>& is_stale, Workers& workers);
 
   std::size_t memory_bytes() const;
 
@@ -53,11 +54,12 @@ class TilePainter {
   };
 
   template <typename Model>
-  static void draw_run(const IncrementalVectorizer& source, const OutputGrid& grid, const Run& run,
-                       Scratch& scratch);
+  static void draw_run(const IncrementalVectorizer& source, const std::vector<Rgba>& colours,
+                       const OutputGrid& grid, const Run& run, Scratch& scratch);
   template <typename Model>
-  static void add_curves(const IncrementalVectorizer& source, const OutputGrid& grid, const Run& run,
-                         Scratch& scratch, typename Model::Sums* sums);
+  static void add_curves(const IncrementalVectorizer& source, const std::vector<Rgba>& colours,
+                         const OutputGrid& grid, const Run& run, Scratch& scratch,
+                         typename Model::Sums* sums);
   template <typename Model>
   static void resolve(const OutputGrid& grid, const Run& run, Rgba colour, typename Model::Sums* sums);
 

@@ -36,15 +36,15 @@ void CpuRaster::sort_into_bands(const PlanarMap& map, const OutputGrid& grid, in
 }
 
 template <typename Model>
-void CpuRaster::draw_band(const PlanarMap& map, const OutputGrid& grid, int band,
-                          BandSums<Model>& sums) const {
+void CpuRaster::draw_band(const PlanarMap& map, const std::vector<Rgba>& colours, const OutputGrid& grid,
+                          int band, BandSums<Model>& sums) const {
   const Lattice& lattice = map.lattice;
   const int first_row = band * BandSums<Model>::kRows;
   const int rows = std::min(BandSums<Model>::kRows, grid.target.height - first_row);
   sums.start(first_row, rows);
   for (int i = first_[band]; i < first_[band + 1]; ++i) {
     const Segment& s = map.segments[order_[i]];
-    const auto change = Model::change(map.right_colour(s), map.left_colour(s));
+    const auto change = Model::change(colours[s.right], colours[s.left]);
     flatten(grid(s.p0), grid(s.p1), grid(s.p2), grid(s.p3),
             flattening_pieces(s.p0, s.p1, s.p2, s.p3, grid.scale),
             [&](glm::ivec2 a, glm::ivec2 b) { sums.add_line(a.x, a.y, b.x, b.y, change); });
@@ -55,9 +55,8 @@ void CpuRaster::draw_band(const PlanarMap& map, const OutputGrid& grid, int band
   for (int y = 0; y < lattice.height(); ++y) {
     const int y0 = grid.row(y), y1 = grid.row(y + 1);
     if (y1 <= top || y0 >= bottom) continue;
-    sums.add_line(west, y0, west, y1, Model::change(Rgba{}, map.colours[lattice.pixel(0, y)]));
-    sums.add_line(east, y0, east, y1,
-                  Model::change(map.colours[lattice.pixel(lattice.width() - 1, y)], Rgba{}));
+    sums.add_line(west, y0, west, y1, Model::change(Rgba{}, colours[lattice.pixel(0, y)]));
+    sums.add_line(east, y0, east, y1, Model::change(colours[lattice.pixel(lattice.width() - 1, y)], Rgba{}));
   }
   for (int row = 0; row < rows; ++row) {
     sums.resolve(row, grid.target.pixels + (first_row + row) * grid.target.pitch);
@@ -65,12 +64,13 @@ void CpuRaster::draw_band(const PlanarMap& map, const OutputGrid& grid, int band
 }
 
 template <typename Model>
-void CpuRaster::draw_bands(const PlanarMap& map, const OutputGrid& grid, int bands) {
+void CpuRaster::draw_bands(const PlanarMap& map, const std::vector<Rgba>& colours, const OutputGrid& grid,
+                           int bands) {
   auto& sums = std::get<std::vector<BandSums<Model>>>(sums_);
   const auto threads = static_cast<std::size_t>(workers_.threads());
   if (sums.size() < threads) sums.resize(threads);
   for (BandSums<Model>& own : sums) own.resize(grid.target.width);
-  workers_.run(bands, [&](int band, int thread) { draw_band(map, grid, band, sums[thread]); });
+  workers_.run(bands, [&](int band, int thread) { draw_band(map, colours, grid, band, sums[thread]); });
 }
 
 void CpuRaster::draw(const PlanarMap& map, const View& view, bool linear_light, int threads,
@@ -80,16 +80,18 @@ void CpuRaster::draw(const PlanarMap& map, const View& view, bool linear_light, 
   const OutputGrid grid(view, map.lattice, target);
   const int bands = (target.height + BandSums<OpaqueColour>::kRows - 1) / BandSums<OpaqueColour>::kRows;
   sort_into_bands(map, grid, bands);
+  const std::vector<Rgba>& colours = colours_.of(map.colours, target.order);
   if (grid.covers_target() && is_opaque(map.lattice, map.colours)) {
-    linear_light ? draw_bands<OpaqueLight>(map, grid, bands) : draw_bands<OpaqueColour>(map, grid, bands);
+    linear_light ? draw_bands<OpaqueLight>(map, colours, grid, bands)
+                 : draw_bands<OpaqueColour>(map, colours, grid, bands);
   } else {
-    linear_light ? draw_bands<Translucent<true>>(map, grid, bands)
-                 : draw_bands<Translucent<false>>(map, grid, bands);
+    linear_light ? draw_bands<Translucent<true>>(map, colours, grid, bands)
+                 : draw_bands<Translucent<false>>(map, colours, grid, bands);
   }
 }
 
 std::size_t CpuRaster::memory_bytes() const {
-  return held_bytes(ranges_, order_, first_, next_);
+  return held_bytes(ranges_, order_, first_, next_) + colours_.memory_bytes();
 }
 
 }  // namespace depixel

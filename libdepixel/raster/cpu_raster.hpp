@@ -6,6 +6,7 @@
 #include "libdepixel/core/frame_view.hpp"
 #include "libdepixel/core/workers.hpp"
 #include "libdepixel/raster/band_sums.hpp"
+#include "libdepixel/raster/ordered_colours.hpp"
 #include "libdepixel/raster/output_grid.hpp"
 #include "libdepixel/stages/planar_map.hpp"
 
@@ -36,15 +37,17 @@ class CpuRaster {
 
   void sort_into_bands(const PlanarMap& map, const OutputGrid& grid, int bands);
   template <typename Model>
-  void draw_bands(const PlanarMap& map, const OutputGrid& grid, int bands);
+  void draw_bands(const PlanarMap& map, const std::vector<Rgba>& colours, const OutputGrid& grid, int bands);
   template <typename Model>
-  void draw_band(const PlanarMap& map, const OutputGrid& grid, int band, BandSums<Model>& sums) const;
+  void draw_band(const PlanarMap& map, const std::vector<Rgba>& colours, const OutputGrid& grid, int band,
+                 BandSums<Model>& sums) const;
 
   Workers workers_;
   std::vector<BandRange> ranges_;  ///< by segment
   std::vector<int> order_;         ///< segments, band after band
   std::vector<int> first_;         ///< of each band in order_, and the end
   std::vector<int> next_;
+  OrderedColours colours_;
   BandSumsOfModels sums_;
 };
 

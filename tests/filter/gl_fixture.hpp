@@ -3,7 +3,7 @@
 #include <glad/gl.h>
 #include <gtest/gtest.h>
 
-#include "apps/headless/headless_context.hpp"
+#include "apps/headless/context_kind.hpp"
 #include "tests/support/picture.hpp"
 
 namespace depixel {
@@ -19,7 +19,7 @@ namespace depixel::test {
 /// A context, current, and its functions. Fails the test where there is none.
 struct GlContext {
   explicit GlContext(std::optional<ContextKind> kind = {}, HeadlessContext::Wanted wanted = {}) {
-    auto created = HeadlessContext::create(kind, wanted);
+    auto created = create_headless_context(kind, wanted);
     if (!created) throw std::runtime_error(created.error().message);
     context = std::move(*created);
     if (wanted.es) {

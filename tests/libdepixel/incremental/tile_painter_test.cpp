@@ -17,11 +17,11 @@ int number(int from, int end) {
 std::int64_t draw(TilePainter& painter, const IncrementalVectorizer& source, const OutputGrid& grid,
                   bool linear_light, const std::vector<std::uint8_t>& is_stale, Workers& workers) {
   if (source.is_opaque() && grid.covers_target()) {
-    return linear_light ? painter.draw<OpaqueLight>(source, grid, is_stale, workers)
-                        : painter.draw<OpaqueColour>(source, grid, is_stale, workers);
+    return linear_light ? painter.draw<OpaqueLight>(source, source.colours(), grid, is_stale, workers)
+                        : painter.draw<OpaqueColour>(source, source.colours(), grid, is_stale, workers);
   }
-  return linear_light ? painter.draw<Translucent<true>>(source, grid, is_stale, workers)
-                      : painter.draw<Translucent<false>>(source, grid, is_stale, workers);
+  return linear_light ? painter.draw<Translucent<true>>(source, source.colours(), grid, is_stale, workers)
+                      : painter.draw<Translucent<false>>(source, source.colours(), grid, is_stale, workers);
 }
 
 RC_GTEST_PROP(TilePainter, TilesAreThoseDrawnFromScratch, (const Picture& picture)) {

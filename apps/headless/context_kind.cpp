@@ -1,4 +1,4 @@
-#include "apps/headless/headless_context.hpp"
+#include "apps/headless/context_kind.hpp"
 
 #include <fmt/core.h>
 
@@ -17,8 +17,8 @@ std::span<const std::string_view> context_kind_names() {
   return kNames;
 }
 
-tl::expected<std::unique_ptr<HeadlessContext>, Error> HeadlessContext::create(std::optional<ContextKind> kind,
-                                                                              Wanted wanted) {
+tl::expected<std::unique_ptr<HeadlessContext>, Error> create_headless_context(
+    std::optional<ContextKind> kind, HeadlessContext::Wanted wanted) {
   std::string reasons;
   for (std::size_t i = 0; i < kCreators.size(); ++i) {
     if (kind && static_cast<std::size_t>(*kind) != i) continue;

@@ -4,7 +4,7 @@
 
 /// The interface of RetroArch's video filters ("softfilters"), version 2, as version 1.14 uses it. A library
 /// exports softfilter_get_implementation().
-namespace depixel::bench::softfilter {
+namespace depixel::softfilter {
 
 constexpr unsigned kApiVersion = 2;
 constexpr const char* kEntryPoint = "softfilter_get_implementation";
@@ -51,4 +51,4 @@ struct Implementation {
 /// \param simd  RetroArch's bits of what the processor can do; 0 is always safe.
 using GetImplementation = const Implementation* (*)(unsigned simd);
 
-}  // namespace depixel::bench::softfilter
+}  // namespace depixel::softfilter

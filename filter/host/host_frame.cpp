@@ -1,0 +1,49 @@
+#include "filter/host/host_frame.hpp"
+
+#include <bit>
+#include <cstring>
+
+namespace depixel {
+namespace {
+
+static_assert(std::endian::native == std::endian::little,
+              "words are written as bytes of red, green, blue, alpha");
+
+constexpr std::uint32_t kOpaque = 0xff000000U;
+
+std::uint32_t from_word(std::uint32_t xrgb8888) {
+  return kOpaque | (xrgb8888 & 0xff00) | (xrgb8888 >> 16 & 0xff) | (xrgb8888 & 0xff) << 16;
+}
+
+std::uint32_t from_word(std::uint16_t rgb565) {
+  const std::uint32_t word = rgb565, red = word >> 11, green = word >> 5 & 0x3f, blue = word & 0x1f;
+  return kOpaque | (red << 3 | red >> 2) | (green << 2 | green >> 4) << 8 | (blue << 3 | blue >> 2) << 16;
+}
+
+template <typename Word>
+void copy_rows(const HostFrame& frame, std::uint8_t* to) {
+  const auto* row = static_cast<const std::uint8_t*>(frame.pixels);
+  for (int y = 0; y < frame.height; ++y, row += frame.pitch) {
+    for (int x = 0; x < frame.width; ++x, to += sizeof(std::uint32_t)) {
+      Word word;
+      std::memcpy(&word, row + static_cast<std::size_t>(x) * sizeof word, sizeof word);
+      const std::uint32_t pixel = from_word(word);
+      std::memcpy(to, &pixel, sizeof pixel);
+    }
+  }
+}
+
+}  // namespace
+
+FrameView to_rgba(const HostFrame& frame, std::vector<std::uint8_t>& rgba) {
+  const std::size_t pitch = static_cast<std::size_t>(frame.width) * sizeof(std::uint32_t);
+  rgba.resize(pitch * static_cast<std::size_t>(frame.height));
+  if (frame.format == HostFormat::rgb565) {
+    copy_rows<std::uint16_t>(frame, rgba.data());
+  } else {
+    copy_rows<std::uint32_t>(frame, rgba.data());
+  }
+  return {rgba.data(), frame.width, frame.height, static_cast<std::ptrdiff_t>(pitch)};
+}
+
+}  // namespace depixel
