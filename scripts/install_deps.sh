@@ -3,7 +3,7 @@
 set -euo pipefail
 
 packages=(
-  g++ cmake make pkg-config git                                # building
+  g++ cmake make pkg-config git dpkg-dev                       # building
   libglm-dev libexpected-dev libfmt-dev libcli11-dev           # everywhere; the command line
   libstb-dev libturbojpeg0-dev libgif-dev zlib1g-dev           # reading and writing pictures
   python3-glad libgl-dev libegl-dev libosmesa6-dev             # drawing by OpenGL

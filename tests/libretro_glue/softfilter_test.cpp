@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -289,6 +290,27 @@ TEST_F(SoftfilterByOpenGl, IsLeftToTheProcessorWhereItIsSoftware) {
   const Picture picture = ascii_picture({"#..r", ".rr.", ".#g#"});
   SoftfilterHost host(plug_in(), {{"scale", "4"}, {"backend", "auto"}}, kXrgb8888, 4, 3);
   EXPECT_LE(largest_difference(host.filter(pack(picture, kXrgb8888, 0)), expected(picture, 4)), 4);
+}
+
+TEST(Installed, LibraryAndPresetsStandTogetherAlone) {
+  const std::filesystem::path prefix = output_folder() / "installed";
+  std::filesystem::remove_all(prefix);
+  const std::string command = "\"" DEPIXEL_CMAKE "\" --install \"" DEPIXEL_BUILD
+                              "\" --component plug_in --prefix \"" +
+                              prefix.string() + "\" >&2";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  std::set<std::string> names;
+  std::filesystem::path library;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(prefix)) {
+    if (!file.is_regular_file()) continue;
+    EXPECT_EQ(file.path().parent_path().filename(), "depixel");
+    names.insert(file.path().filename());
+    if (file.path().extension() == ".so") library = file.path();
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"depixel.so", "Depixel-2x.filt", "Depixel-3x.filt",
+                                          "Depixel-4x.filt", "Depixel-6x.filt", "Depixel-8x.filt",
+                                          "Depixel-GL-4x.filt", "Depixel-Smooth.filt"}));
+  EXPECT_STREQ(SoftfilterLibrary(library)->short_ident, "depixel");
 }
 
 /// Presets name every setting that there is, so that none is hidden from the user.
