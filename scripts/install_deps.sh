@@ -10,6 +10,8 @@ packages=(
   libegl1 libgl1-mesa-dri libglx-mesa0                         # ... also without a graphics card
   libglfw3-dev libimgui-dev                                    # the player
   xvfb xauth xdotool imagemagick                               # its tests
+  retroarch retroarch-dev libretro-core-info                   # the plug-in's, in the real thing
+  libretro-nestopia efp libretro-gambatte libretro-mgba libretro-bsnes-mercury-balanced
   libgtest-dev librapidcheck-dev libpugixml-dev librsvg2-bin   # tests
   libbenchmark-dev nlohmann-json3-dev                          # benchmarks
   libavfilter-dev libavutil-dev xbrzscale                      # what they compare with
