@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes the pictures of the README again, in docs/images: shipped sprites and a frame at 6x by nearest neighbour, by xbr
-# (2x, then 3x) and by depixel; all steps; and the player's window. Needs ffmpeg, imagemagick and Xvfb beside a release
-# build.
+# (2x, then 3x) and by depixel; all steps; and the windows of the player and of RetroArch. Needs ffmpeg, imagemagick,
+# RetroArch and Xvfb beside a release build.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -41,3 +41,33 @@ echo '{"look": {"split": true, "divider": 0.62}}' > "$work/config/depixel/player
 XDG_CONFIG_HOME="$work/config" xvfb-run -a -s "-screen 0 1280x800x24" build/release/bin/depixel-player \
   tests/data/frames/jumpnbump_0013.png --size 1180x720 --scale 4 --frames 60 --screenshot "$work/player.png"
 convert "$work/player.png" -colors 256 docs/images/player.png
+
+# RetroArch with the filter: the test core shows a frame.
+printf 'geometry 400x256\nshow %s 1000\n' "$PWD/tests/data/frames/jumpnbump_0013.png" > "$work/show.frames"
+cat > "$work/ra.cfg" <<CFG
+video_driver = "gl"
+video_vsync = "true"
+video_smooth = "false"
+video_scale = "3.000000"
+aspect_ratio_index = "21"
+video_filter = "$PWD/build/release/retroarch/depixel/Depixel-3x.filt"
+video_font_enable = "true"
+fps_show = "true"
+menu_driver = "null"
+audio_enable = "false"
+audio_driver = "null"
+input_driver = "x"
+input_joypad_driver = "null"
+pause_nonactive = "false"
+config_save_on_exit = "false"
+gamemode_enable = "false"
+CFG
+cat > "$work/show.sh" <<'SH'
+retroarch -c "$1/ra.cfg" -L "$2" --max-frames=900 "$1/show.frames" &
+sleep 8
+import -window root "$1/retroarch.png"
+kill $!
+SH
+HOME="$work" XDG_CONFIG_HOME="$work" LIBGL_ALWAYS_SOFTWARE=1 DBUS_FATAL_WARNINGS=0 xvfb-run -a -s "-screen 0 1200x768x24" \
+  bash "$work/show.sh" "$work" "$PWD/build/release/tests/retroarch/core/depixel_test_libretro.so"
+convert "$work/retroarch.png" -colors 256 docs/images/retroarch.png

@@ -3,12 +3,14 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <set>
 
 #include "filter/frame_filter.hpp"
+#include "libdepixel/core/color.hpp"
 #include "tests/apps/pictures.hpp"
+#include "tests/retroarch/games/games.hpp"
 #include "tests/retroarch/retroarch_run.hpp"
 
 namespace depixel::test {
@@ -129,16 +131,20 @@ class PlugIn : public testing::Test {
     return folder_.path() / "own.filt";
   }
 
+  /// Expects a picture in the window. Leaves what was shown on disk, to be looked at; and the picture and the
+  /// log, where it was another.
   void expect_shown(const Picture& expected, const RetroArchRan& ran, int levels = 0) {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    std::string name = test->name();
+    std::replace(name.begin(), name.end(), '/', '.');
+    const fs::path stem = fs::path(DEPIXEL_TEST_OUTPUT) / name;
+    fs::create_directories(stem.parent_path());
+    write_text(stem.string() + ".png", png_of(ran.screenshot));
     const int count = differing(expected, ran.screenshot, levels);
     EXPECT_EQ(count, 0) << ran.screenshot.width() << " x " << ran.screenshot.height();
     if (count == 0) return;
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    const std::string stem = std::string(DEPIXEL_TEST_OUTPUT) + "/" + test->name();
-    fs::create_directories(DEPIXEL_TEST_OUTPUT);
-    write_text(stem + ".expected.png", png_of(expected));
-    write_text(stem + ".actual.png", png_of(ran.screenshot));
-    write_text(stem + ".log", ran.log);
+    write_text(stem.string() + ".expected.png", png_of(expected));
+    write_text(stem.string() + ".log", ran.log);
   }
 
   TemporaryFolder folder_;
@@ -289,31 +295,53 @@ TEST_F(PlugIn, Rotated) {
   expect_shown(turned, ran);
 }
 
-/// A core, and a game that comes with it or that we made.
+/// A core, and a game: one that a package ships, or one of our own.
 struct Game {
-  std::string core;
-  fs::path content;
+  std::string core, file;
+  Rom (*make)();  ///< nullptr for the former
 };
 
-TEST_F(PlugIn, OfARealConsole) {
-  for (const Game& game : {Game{"nestopia", "/usr/share/nes/efp.nes"}}) {
-    RetroArchRun run{.core = fs::path(DEPIXEL_CORES) / (game.core + "_libretro.so"),
-                     .content = game.content,
-                     .frames = 300,
-                     .scale = 1};
-    const RetroArchRan raw = run_retroarch(run);
-    ASSERT_EQ(raw.exit_code, 0) << raw.log;
-    ASSERT_GT(raw.screenshot.width(), 0) << raw.log;
-    run.scale = 4;
-    for (const char* name : {"4x", "GL-4x"}) {
-      run.filter = preset(name);
-      const RetroArchRan ran = run_retroarch(run);
-      EXPECT_EQ(ran.exit_code, 0) << ran.log;
-      EXPECT_EQ(ran.errors, "");
-      expect_shown(drawn(raw.screenshot, 4), ran, std::string(name) == "4x" ? 0 : 2);
-    }
+class PlugInOn : public PlugIn, public testing::WithParamInterface<Game> {};
+
+/// What a console shows is filtered as it is: its picture without a filter, depixelled, is the picture with
+/// it.
+TEST_P(PlugInOn, ShowsTheConsolesPictureDepixelled) {
+  const Game& game = GetParam();
+  fs::path content = game.file;
+  if (game.make != nullptr) {
+    content = folder_.path() / game.file;
+    const Rom rom = game.make();
+    write_text(content, {reinterpret_cast<const char*>(rom.data()), rom.size()});
+  }
+  RetroArchRun run{.core = fs::path(DEPIXEL_CORES) / (game.core + "_libretro.so"),
+                   .content = content,
+                   .frames = 120,
+                   .scale = 1};
+  const RetroArchRan raw = run_retroarch(run);
+  ASSERT_EQ(raw.exit_code, 0) << raw.log;
+  ASSERT_GT(raw.screenshot.width(), 0) << raw.log;
+  std::set<std::uint32_t> colours;
+  for (int y = 0; y < raw.screenshot.height(); ++y) {
+    for (int x = 0; x < raw.screenshot.width(); ++x) colours.insert(rgba_order(pixel(raw.screenshot, x, y)));
+  }
+  EXPECT_GE(colours.size(), game.make == nullptr ? 2U : 4U) << "an empty screen proves nothing";
+  run.scale = 4;
+  for (const char* name : {"4x", "GL-4x"}) {
+    run.filter = preset(name);
+    const RetroArchRan ran = run_retroarch(run);
+    EXPECT_EQ(ran.exit_code, 0) << ran.log;
+    EXPECT_EQ(ran.errors, "");
+    EXPECT_NE(ran.log.find("Found plug: Depixel (depixel)"), std::string::npos) << ran.log;
+    expect_shown(drawn(raw.screenshot, 4), ran, std::string(name) == "4x" ? 0 : 2);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Consoles, PlugInOn,
+                         testing::Values(Game{"nestopia", "/usr/share/nes/efp.nes", nullptr},
+                                         Game{"gambatte", "faces.gb", game_boy_rom},
+                                         Game{"mgba", "faces.gba", game_boy_advance_rom},
+                                         Game{"bsnes_mercury_balanced", "faces.sfc", super_nintendo_rom}),
+                         [](const auto& test) { return test.param.core; });
 
 }  // namespace
 }  // namespace depixel::test
