@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Builds depixel and depixel-player, and draws the shipped frames and sprites, as PNG and as SVG, into out/demo.
+# Builds depixel, depixel-player and the plug-in for RetroArch, and draws the shipped frames and sprites, as PNG and as SVG, into out/demo.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 scripts/install_deps.sh
 cmake --preset release
-cmake --build --preset release --parallel "$(nproc)" --target depixel depixel-player
+cmake --build --preset release --parallel "$(nproc)" --target depixel depixel-player depixel_softfilter
 
 depixel=build/release/bin/depixel
 for kind in frames sprites; do
@@ -20,3 +20,4 @@ find out/demo -type f | sort | sed 's/^/  /'
 
 echo
 echo "To look at them in a window: $PWD/build/release/bin/depixel-player tests/data/frames"
+echo "To play with the filter, choose a preset in RetroArch, Settings, Video, Video Filter: $PWD/build/release/retroarch/depixel"

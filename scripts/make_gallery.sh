@@ -63,7 +63,7 @@ config_save_on_exit = "false"
 gamemode_enable = "false"
 CFG
 cat > "$work/show.sh" <<'SH'
-retroarch -c "$1/ra.cfg" -L "$2" --max-frames=900 "$1/show.frames" &
+retroarch -c "$1/ra.cfg" -L "$2" --max-frames=100000 "$1/show.frames" &
 sleep 8
 import -window root "$1/retroarch.png"
 kill $!

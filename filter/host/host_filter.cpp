@@ -42,14 +42,6 @@ HostFilter::Size HostFilter::output_size(int width, int height) const {
   return {scaled(width, max_width_), scaled(height, max_height_)};
 }
 
-/// Whether a frame's pixels can be read; a pitch that can be known is put right.
-bool HostFilter::has_rows(HostFrame& frame) const {
-  if (frame.pitch >= frame.row_bytes()) return true;
-  if (size_ == Size{frame.width, frame.height}) return false;
-  frame.pitch = frame.row_bytes();
-  return true;
-}
-
 void HostFilter::draw(HostFrame frame, void* output, std::size_t pitch) {
   if (frame.pixels == nullptr || output == nullptr || frame.width < 1 || frame.height < 1) return;
   const Size size = output_size(frame.width, frame.height);
@@ -57,12 +49,14 @@ void HostFilter::draw(HostFrame frame, void* output, std::size_t pitch) {
     warn_once(fmt::format("Rows of {} bytes have no room for pictures of {} pixels.", pitch, size.width));
     return;
   }
-  const bool is_new = has_rows(frame);
+  const bool has_pitch = frame.pitch >= frame.row_bytes();
+  if (!has_pitch) frame.pitch = frame.row_bytes();  // the least that it can be
   frame.width = std::min(frame.width, max_width_);
   frame.height = std::min(frame.height, max_height_);
+  const Size frame_size{frame.width, frame.height};
   std::optional<FrameView> view;
-  if (is_new) view = to_rgba(frame, rgba_);
-  size_ = {frame.width, frame.height};
+  if (has_pitch || frame_size != size_) view = to_rgba(frame, rgba_);
+  size_ = frame_size;
   const PictureView picture{static_cast<std::uint8_t*>(output), size.width, size.height,
                             static_cast<std::ptrdiff_t>(pitch), ChannelOrder::bgra};
   auto drawn = draw_by_backend(view, picture);

@@ -47,7 +47,6 @@ class HostFilter {
 
  private:
   void choose_backend();
-  bool has_rows(HostFrame& frame) const;
   tl::expected<void, Error> draw_by(FrameFilter& filter, const std::optional<FrameView>& frame,
                                     const PictureView& picture) const;
   tl::expected<void, Error> draw_by_backend(const std::optional<FrameView>& frame,

@@ -183,6 +183,14 @@ TEST(Softfilter, AFrameWithoutPitchIsTheOneBefore) {
   EXPECT_EQ(host.filter(small, 0), expected(other, 4));
 }
 
+TEST(Softfilter, AnOversizedFrameWithoutPitchIsTheOneBefore) {
+  const Picture picture = shipped_sequence("alex4").front();
+  const CoreFrame packed = pack(picture, kXrgb8888, 12);
+  SoftfilterHost host(plug_in(), {{"scale", "2"}, {"backend", "cpu"}}, kXrgb8888, 100, 90);
+  const Picture first = host.filter(packed);
+  EXPECT_EQ(host.filter(packed, 0), first);
+}
+
 TEST(Softfilter, WritesOnlyWhatChanged) {
   Picture picture = shipped_sequence("jumpnbump").front();
   for (Rgba& c : picture.pixels) c.a = 255;

@@ -208,6 +208,17 @@ TEST_F(PlugIn, ByOpenGl) {
   }
 }
 
+TEST_F(PlugIn, ByTheProcessorWhereThereIsNoOpenGl) {
+  const RetroArchRan ran = play(scroll(), {.filter = preset("GL-4x"),
+                                           .frames = sequence_frames(),
+                                           .environment = "__EGL_VENDOR_LIBRARY_FILENAMES=/dev/null"});
+  expect_shown(drawn(last_frame(), 4), ran);
+  EXPECT_NE(
+      ran.log.find("depixel: The processor draws instead of OpenGL. There is no OpenGL context to be had"),
+      std::string::npos)
+      << ran.log;
+}
+
 TEST_F(PlugIn, DuplicatesAndIdenticalFrames) {
   const std::string script =
       scroll() + "duplicate 5\nshow " + written("last.png", last_frame()) + " 5\nduplicate 5\n";

@@ -83,6 +83,7 @@ RetroArchRan run_retroarch(const RetroArchRun& wanted) {
                                           "XDG_CONFIG_HOME=" + home,
                                           "LIBGL_ALWAYS_SOFTWARE=1",
                                           "DBUS_FATAL_WARNINGS=0",
+                                          wanted.environment,
                                           "timeout",
                                           "-k",
                                           "5",

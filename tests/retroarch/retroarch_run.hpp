@@ -18,6 +18,7 @@ struct RetroArchRun {
   int base_width = 160, base_height = 120;  ///< that geometry, needed where the scale is a fraction
   bool is_threaded = false;
   std::map<std::string, std::string> settings = {};  ///< more lines of its configuration
+  std::string environment = "IS_TEST=1";             ///< one more variable
 };
 
 /// How that ended.
