@@ -78,7 +78,8 @@ RetroArchRan run_retroarch(const RetroArchRun& wanted) {
   const TemporaryFolder folder;
   write_text(folder / "ra.cfg", configuration(wanted, folder.path()));
   const std::string screenshot = folder / "shot.png", home = folder.path();
-  // Without a session bus, D-Bus would abort the program that asks for one.
+  // Without a session bus, D-Bus would abort the program that asks for one. The display would be reset, and
+  // refuse connections meanwhile, when its last client leaves; RetroArch does where it makes its window anew.
   const Ended ended = run_program("env", {"HOME=" + home,
                                           "XDG_CONFIG_HOME=" + home,
                                           "LIBGL_ALWAYS_SOFTWARE=1",
@@ -91,7 +92,7 @@ RetroArchRan run_retroarch(const RetroArchRun& wanted) {
                                           DEPIXEL_XVFB_RUN,
                                           "-a",
                                           "-s",
-                                          "-screen 0 2600x2000x24",
+                                          "-screen 0 2600x2000x24 -noreset",
                                           DEPIXEL_RETROARCH,
                                           "-v",
                                           "-c",
