@@ -9,7 +9,7 @@
 
 #include "tests/apps/pictures.hpp"
 #include "tests/retroarch/expected.hpp"
-#include "tests/retroarch/retroarch_run.hpp"
+#include "tests/retroarch/play.hpp"
 
 namespace depixel::test {
 namespace {
@@ -17,22 +17,11 @@ namespace {
 constexpr int kScale = 4;
 const std::string kNormal4x = DEPIXEL_RETROARCH_FILTERS "/Normal4x.filt";
 
-/// Lets the test core play a script.
-/// \param shown  the frame that is shown last, each pixel as a square of four on the screen
-RetroArchRan play(const TemporaryFolder& folder, const std::string& script, const Picture& shown,
-                  RetroArchRun run = {}) {
-  run.core = DEPIXEL_TEST_CORE;
-  run.content = folder / "test.frames";
+/// Plays a script that ends with a frame, each pixel of which is a square of four on the screen.
+RetroArchRan play_fourfold(const TemporaryFolder& folder, const std::string& script, const Picture& shown,
+                           RetroArchRun run = {}) {
   run.frames = 12;
-  run.settings.insert({{"video_fullscreen", "true"},
-                       {"video_windowed_fullscreen", "true"},
-                       {"aspect_ratio_index", "23"},  // a part of the screen, whatever the core says
-                       {"custom_viewport_x", "0"},
-                       {"custom_viewport_y", "0"},
-                       {"custom_viewport_width", std::to_string(kScale * shown.width())},
-                       {"custom_viewport_height", std::to_string(kScale * shown.height())}});
-  write_text(run.content, script);
-  return run_retroarch(run);
+  return play(folder, script, kScale * shown.width(), kScale * shown.height(), run);
 }
 
 /// Expects a run to have ended well, and to have shown a frame, enlarged.
@@ -52,7 +41,7 @@ class RetroArch : public testing::TestWithParam<std::pair<std::string, bool>> {
 
   RetroArchRan play(const std::string& script, const Picture& shown) const {
     const auto& [filter, is_threaded] = GetParam();
-    return test::play(folder_, script, shown, {.filter = filter, .is_threaded = is_threaded});
+    return play_fourfold(folder_, script, shown, {.filter = filter, .is_threaded = is_threaded});
   }
 
   const Picture large_ = colourful_picture(96, 72), small_ = sample_picture(60, 45);
@@ -102,7 +91,7 @@ TEST(RetroArchUnfiltered, TurnsCounterClockwise) {
   write_text(folder / "a.png", png_of(turned));
   for (const int degrees : {0, 90, 180, 270}) {
     const std::string script = "geometry 96x72\nrotate " + std::to_string(degrees) + "\nshow a.png";
-    expect_shown(play(folder, script, turned), turned, script);
+    expect_shown(play_fourfold(folder, script, turned), turned, script);
     turned = turned_left(turned);
   }
 }
@@ -111,12 +100,12 @@ TEST(RetroArchUnfiltered, ShowsFramesLargerThanTheCoreSaid) {
   const TemporaryFolder folder;
   const Picture picture = sample_picture(120, 90);
   write_text(folder / "a.png", png_of(picture));
-  expect_shown(play(folder, "geometry 96x72\nshow a.png", picture), picture);
+  expect_shown(play_fourfold(folder, "geometry 96x72\nshow a.png", picture), picture);
 }
 
 TEST(RetroArchUnfiltered, RefusesABadScriptWithTheCoresSentence) {
   const TemporaryFolder folder;
-  const RetroArchRan run = play(folder, "geometry 4x3\nsing", Picture(16, 16));
+  const RetroArchRan run = play_fourfold(folder, "geometry 4x3\nsing", Picture(16, 16));
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.log.find("test.frames, line 2: There is no action sing."), std::string::npos) << run.log;
   EXPECT_NE(run.errors, "");

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "tests/apps/process.hpp"
+#include "tests/retroarch/retroarch_run.hpp"
+
+namespace depixel::test {
+
+/// Lets the test core play a script, and the picture fill a part of the screen whatever the core says of its
+/// shape. \param folder         for the script; paths in it are relative to this \param width, height  of the
+/// picture in screen pixels
+RetroArchRan play(const TemporaryFolder& folder, const std::string& script, int width, int height,
+                  RetroArchRun run);
+
+}  // namespace depixel::test
