@@ -15,9 +15,19 @@ std::uint32_t from_word(std::uint32_t xrgb8888) {
   return kOpaque | (xrgb8888 & 0xff00) | (xrgb8888 >> 16 & 0xff) | (xrgb8888 & 0xff) << 16;
 }
 
+/// The nearest of 256 levels to each of 32 and of 64: what OpenGL makes of 16 bits, so that colours are those
+/// that the host shows without a filter.
+constexpr std::uint32_t level_of_32(std::uint32_t bits) {
+  return (bits * 527 + 23) >> 6;
+}
+constexpr std::uint32_t level_of_64(std::uint32_t bits) {
+  return (bits * 259 + 33) >> 6;
+}
+
 std::uint32_t from_word(std::uint16_t rgb565) {
-  const std::uint32_t word = rgb565, red = word >> 11, green = word >> 5 & 0x3f, blue = word & 0x1f;
-  return kOpaque | (red << 3 | red >> 2) | (green << 2 | green >> 4) << 8 | (blue << 3 | blue >> 2) << 16;
+  const std::uint32_t word = rgb565;
+  return kOpaque | level_of_32(word >> 11) | level_of_64(word >> 5 & 0x3f) << 8 |
+         level_of_32(word & 0x1f) << 16;
 }
 
 template <typename Word>

@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
@@ -70,9 +71,7 @@ CoreFrame pack(const Picture& picture, unsigned format, std::size_t padding) {
 Picture unpack(const CoreFrame& frame, unsigned format) {
   Picture picture(static_cast<int>(frame.width), static_cast<int>(frame.height));
   const auto fill = [](std::uint32_t bits, std::uint32_t most) {
-    // The eight bits that begin with these, and go on with these again.
-    const std::uint32_t shifted = bits * 256 / (most + 1);
-    return static_cast<std::uint8_t>(shifted + shifted / (most + 1));
+    return static_cast<std::uint8_t>(std::lround(255.0 * bits / most));
   };
   for (int y = 0; y < picture.height; ++y) {
     for (int x = 0; x < picture.width; ++x) {

@@ -70,6 +70,18 @@ TEST(PlugInFrames, OpenGlDrawsTheSameTwice) {
   EXPECT_EQ(mismatch(shown(), shown()), "");
 }
 
+TEST(PlugInFrames, ColoursOf16BitsAreThoseWithoutAFilter) {
+  const TemporaryFolder folder;
+  const Picture picture = colourful_picture(96, 72);
+  write_text(folder / "a.png", png_of(picture));
+  for (const auto& [name, format] :
+       {std::pair("rgb565", PixelFormat::rgb565), std::pair("0rgb1555", PixelFormat::xrgb1555)}) {
+    const std::string script = std::string("format ") + name + "\npadding 6\ngeometry 96x72\nshow a.png\n";
+    expect_depixelled(play(folder, script, 384, 288, {.filter = preset("4x"), .frames = 5}),
+                      in_format(picture, format), kScale, name);
+  }
+}
+
 TEST(PlugInFrames, IsTurnedAfterItWasDrawn) {
   const TemporaryFolder folder;
   const Picture picture = sample_picture(96, 72);

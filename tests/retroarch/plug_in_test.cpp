@@ -54,8 +54,9 @@ Picture changed(Picture picture, const Change& change) {
   return picture;
 }
 
+/// The level of 256 that is nearest.
 std::uint8_t filled(int bits, int count) {
-  return static_cast<std::uint8_t>(bits << (8 - count) | bits >> (2 * count - 8));
+  return static_cast<std::uint8_t>(std::lround(255.0 * bits / ((1 << count) - 1)));
 }
 Rgba as_565(Rgba c) {
   return {filled(c.r >> 3, 5), filled(c.g >> 2, 6), filled(c.b >> 3, 5), 255};

@@ -25,10 +25,9 @@ TEST(HostFrame, WordsOf16BitsFillTheirRange) {
     const auto pixel = static_cast<std::uint16_t>(word);
     std::vector<std::uint8_t> rgba;
     to_rgba({&pixel, 1, 1, 2, HostFormat::rgb565}, rgba);
-    // The nearest of 256 levels, or one beside it.
-    EXPECT_NEAR(rgba[0], std::round((word >> 11) * 255 / 31.0), 1);
-    EXPECT_NEAR(rgba[1], std::round((word >> 5 & 63) * 255 / 63.0), 1);
-    EXPECT_NEAR(rgba[2], std::round((word & 31) * 255 / 31.0), 1);
+    EXPECT_EQ(rgba[0], std::round((word >> 11) * 255 / 31.0));
+    EXPECT_EQ(rgba[1], std::round((word >> 5 & 63) * 255 / 63.0));
+    EXPECT_EQ(rgba[2], std::round((word & 31) * 255 / 31.0));
     EXPECT_EQ(rgba[0] >> 3, word >> 11);
     EXPECT_EQ(rgba[1] >> 2, word >> 5 & 63);
     EXPECT_EQ(rgba[2] >> 3, word & 31);
