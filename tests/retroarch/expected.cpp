@@ -76,14 +76,6 @@ Picture enlarged(const Picture& picture, int factor) {
   return result;
 }
 
-Picture reduced(const Picture& picture, int factor) {
-  Picture result(picture.width() / factor, picture.height() / factor);
-  for (int y = 0; y < result.height(); ++y) {
-    for (int x = 0; x < result.width(); ++x) result.at(x, y) = picture.at(x * factor, y * factor);
-  }
-  return result;
-}
-
 Picture turned_left(const Picture& picture) {
   Picture result(picture.height(), picture.width());
   for (int y = 0; y < result.height(); ++y) {

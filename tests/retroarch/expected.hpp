@@ -11,14 +11,11 @@ namespace depixel::test {
 /// A picture of as many colours as can be: small areas, each of another colour.
 Picture colourful_picture(int width, int height);
 
-/// What is left of a picture's colours in a format, as 8 bits a channel: the high bits come again as the low
-/// ones.
+/// What RetroArch shows of a picture that comes in a format: channels of 5 and 6 bits as OpenGL reads them.
 Picture in_format(const Picture& picture, PixelFormat format);
 
 /// Nearest neighbour: every pixel becomes a square.
 Picture enlarged(const Picture& picture, int factor);
-/// The other way round: one pixel of each square.
-Picture reduced(const Picture& picture, int factor);
 
 /// Turned by a quarter, counter-clockwise.
 Picture turned_left(const Picture& picture);

@@ -62,14 +62,13 @@ struct Script {
 ///
 /// then, in any order,
 ///
-///     show PICTURES [TIMES]    a picture, or the frames of a folder, a pattern such as %04d.png, or a GIF;
-///     each
-///                              has its own size, also one that the geometry does not allow
-///     duplicate [TIMES]        the frame before once more, told by giving none
-///     padding BYTES            after each row of the pictures that follow, a whole number of pixels
-///     resize 160x120           SET_GEOMETRY
+///     show PICTURES [TIMES]      a picture, or the frames of a folder, of a pattern such as %04d.png, or of
+///                                a GIF; each has its own size, also one that the geometry does not allow
+///     duplicate [TIMES]          the frame before once more, told by giving none
+///     padding BYTES              after each row of the pictures that follow, a whole number of pixels
+///     resize 160x120             SET_GEOMETRY
 ///     av_info 640x480 [640x480]  SET_SYSTEM_AV_INFO
-///     rotate 0|90|180|270      SET_ROTATION, counter-clockwise
+///     rotate 0|90|180|270        SET_ROTATION, counter-clockwise
 ///
 /// Paths are relative to the script's folder and hold no spaces. \return an error that names file and line.
 tl::expected<Script, Error> load_script(const std::filesystem::path& file);
