@@ -25,8 +25,8 @@ struct HostFrame {
   std::size_t row_bytes() const { return static_cast<std::size_t>(width) * bytes_a_pixel(format); }
 };
 
-/// Copies a frame to opaque RGBA pixels without gaps. The five or six bits of a channel are repeated to fill
-/// eight, as RetroArch does where it shows such frames itself.
+/// Copies a frame to opaque RGBA pixels without gaps. Five or six bits of a channel become the nearest of 256
+/// levels, as where the host shows such frames itself.
 /// \param rgba  is given room for the frame.
 /// \return the copy.
 FrameView to_rgba(const HostFrame& frame, std::vector<std::uint8_t>& rgba);

@@ -4,12 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
-#include "filter/frame_filter.hpp"
 #include "libdepixel/core/color.hpp"
 #include "tests/apps/pictures.hpp"
+#include "tests/retroarch/expected.hpp"
 #include "tests/retroarch/games/games.hpp"
 #include "tests/retroarch/retroarch_run.hpp"
 
@@ -34,71 +33,9 @@ Picture last_frame() {
 Picture cropped(const Picture& picture, int width, int height) {
   Picture part(width, height);
   for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const Rgba c = pixel(picture, x, y);
-      std::copy_n(&c.r, 4, part.target().pixels + y * part.target().pitch + 4 * x);
-    }
+    for (int x = 0; x < width; ++x) part.at(x, y) = picture.at(x, y);
   }
   return part;
-}
-
-/// A picture after a change of each pixel.
-template <typename Change>
-Picture changed(Picture picture, const Change& change) {
-  for (int y = 0; y < picture.height(); ++y) {
-    for (int x = 0; x < picture.width(); ++x) {
-      const Rgba c = change(pixel(picture, x, y));
-      std::copy_n(&c.r, 4, picture.target().pixels + y * picture.target().pitch + 4 * x);
-    }
-  }
-  return picture;
-}
-
-/// The level of 256 that is nearest.
-std::uint8_t filled(int bits, int count) {
-  return static_cast<std::uint8_t>(std::lround(255.0 * bits / ((1 << count) - 1)));
-}
-Rgba as_565(Rgba c) {
-  return {filled(c.r >> 3, 5), filled(c.g >> 2, 6), filled(c.b >> 3, 5), 255};
-}
-/// RetroArch makes 565 of 1555: green's new lowest bit is its highest one.
-Rgba as_1555(Rgba c) {
-  const int green = c.g >> 3;
-  return {filled(c.r >> 3, 5), filled(green << 1 | green >> 4, 6), filled(c.b >> 3, 5), 255};
-}
-
-Picture drawn(const Picture& frame, double scale, const Options& options = {}) {
-  const auto filter = FrameFilter::cpu();
-  EXPECT_TRUE(filter->submit(frame.view(), options));
-  Picture picture(static_cast<int>(std::lround(frame.width() * scale)),
-                  static_cast<int>(std::lround(frame.height() * scale)));
-  EXPECT_TRUE(filter->draw(picture.target(), {0, 0, picture.width(), picture.height()},
-                           View::fit(filter->vectorizer().lattice(), picture.width(), picture.height())));
-  return picture;
-}
-
-Picture enlarged(const Picture& frame, int scale) {
-  Picture picture(frame.width() * scale, frame.height() * scale);
-  for (int y = 0; y < picture.height(); ++y) {
-    for (int x = 0; x < picture.width(); ++x) {
-      const Rgba c = pixel(frame, x / scale, y / scale);
-      std::copy_n(&c.r, 4, picture.target().pixels + y * picture.target().pitch + 4 * x);
-    }
-  }
-  return picture;
-}
-
-/// Pixels whose colours differ by more than some levels; -1 if the pictures' sizes differ.
-int differing(const Picture& a, const Picture& b, int levels = 0) {
-  if (a.width() != b.width() || a.height() != b.height()) return -1;
-  int count = 0;
-  for (int y = 0; y < a.height(); ++y) {
-    for (int x = 0; x < a.width(); ++x) {
-      const Rgba p = pixel(a, x, y), q = pixel(b, x, y);
-      count += std::abs(p.r - q.r) > levels || std::abs(p.g - q.g) > levels || std::abs(p.b - q.b) > levels;
-    }
-  }
-  return count;
 }
 
 /// Runs a script of the test core, and expects what every run must be like.
@@ -132,8 +69,8 @@ class PlugIn : public testing::Test {
     return folder_.path() / "own.filt";
   }
 
-  /// Expects a picture in the window. Leaves what was shown on disk, to be looked at; and the picture and the
-  /// log, where it was another.
+  /// Expects a picture in the window. Leaves what was shown on disk, to be looked at, and the log, where it
+  /// was another.
   void expect_shown(const Picture& expected, const RetroArchRan& ran, int levels = 0) {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
     std::string name = test->name();
@@ -141,11 +78,9 @@ class PlugIn : public testing::Test {
     const fs::path stem = fs::path(DEPIXEL_TEST_OUTPUT) / name;
     fs::create_directories(stem.parent_path());
     write_text(stem.string() + ".png", png_of(ran.screenshot));
-    const int count = differing(expected, ran.screenshot, levels);
-    EXPECT_EQ(count, 0) << ran.screenshot.width() << " x " << ran.screenshot.height();
-    if (count == 0) return;
-    write_text(stem.string() + ".expected.png", png_of(expected));
-    write_text(stem.string() + ".log", ran.log);
+    const std::string found = mismatch(expected, ran.screenshot, levels);
+    EXPECT_EQ(found, "");
+    if (!found.empty()) write_text(stem.string() + ".log", ran.log);
   }
 
   TemporaryFolder folder_;
@@ -159,50 +94,36 @@ int sequence_frames() {
   return static_cast<int>(std::distance(fs::directory_iterator(kSequence), fs::directory_iterator()));
 }
 
-TEST_F(PlugIn, TheTestCoreIsShownAsItIsWithoutAFilter) {
-  expect_shown(enlarged(last_frame(), 4), play(scroll(), {.frames = sequence_frames()}));
-}
-
-TEST_F(PlugIn, TheTestCoreIsShownByRetroArchsOwnFilter) {
-  const fs::path normal4x = DEPIXEL_RETROARCH_FILTERS "/Normal4x.filt";
-  const RetroArchRun run{.filter = normal4x, .frames = sequence_frames()};
-  const std::string file = folder_ / "script.frames";
-  write_text(file, scroll());
-  RetroArchRun with_core = run;
-  with_core.core = DEPIXEL_TEST_CORE;
-  with_core.content = file;
-  expect_shown(enlarged(last_frame(), 4), run_retroarch(with_core));
-}
-
 TEST_F(PlugIn, ScrollingFramesOf32Bits) {
-  expect_shown(drawn(last_frame(), 4), play(scroll(), {.filter = preset("4x"), .frames = sequence_frames()}));
+  expect_shown(depixelled(last_frame(), 4),
+               play(scroll(), {.filter = preset("4x"), .frames = sequence_frames()}));
 }
 
 TEST_F(PlugIn, FramesOf16Bits) {
-  expect_shown(drawn(changed(last_frame(), as_565), 4),
+  expect_shown(depixelled(in_format(last_frame(), PixelFormat::rgb565), 4),
                play(scroll("format rgb565\n"), {.filter = preset("4x"), .frames = sequence_frames()}));
 }
 
 TEST_F(PlugIn, FramesOf15Bits) {
-  expect_shown(drawn(changed(last_frame(), as_1555), 4),
+  expect_shown(depixelled(in_format(last_frame(), PixelFormat::xrgb1555), 4),
                play(scroll("format 0rgb1555\n"), {.filter = preset("4x"), .frames = sequence_frames()}));
 }
 
 TEST_F(PlugIn, RowsWithRoomAfterThem) {
-  expect_shown(drawn(last_frame(), 4),
+  expect_shown(depixelled(last_frame(), 4),
                play(scroll("padding 96\n"), {.filter = preset("4x"), .frames = sequence_frames()}));
 }
 
 TEST_F(PlugIn, OnRetroArchsVideoThread) {
   expect_shown(
-      drawn(last_frame(), 4),
+      depixelled(last_frame(), 4),
       play(scroll(), {.filter = preset("4x"), .frames = sequence_frames() + 4, .is_threaded = true}));
 }
 
 TEST_F(PlugIn, ByOpenGl) {
   for (const bool is_threaded : {false, true}) {
     expect_shown(
-        drawn(last_frame(), 4),
+        depixelled(last_frame(), 4),
         play(scroll(),
              {.filter = preset("GL-4x"), .frames = sequence_frames() + 4, .is_threaded = is_threaded}),
         2);
@@ -213,7 +134,7 @@ TEST_F(PlugIn, ByTheProcessorWhereThereIsNoOpenGl) {
   const RetroArchRan ran = play(scroll(), {.filter = preset("GL-4x"),
                                            .frames = sequence_frames(),
                                            .environment = "__EGL_VENDOR_LIBRARY_FILENAMES=/dev/null"});
-  expect_shown(drawn(last_frame(), 4), ran);
+  expect_shown(depixelled(last_frame(), 4), ran);
   EXPECT_NE(
       ran.log.find("depixel: The processor draws instead of OpenGL. There is no OpenGL context to be had"),
       std::string::npos)
@@ -224,14 +145,14 @@ TEST_F(PlugIn, DuplicatesAndIdenticalFrames) {
   const std::string script =
       scroll() + "duplicate 5\nshow " + written("last.png", last_frame()) + " 5\nduplicate 5\n";
   for (const int more : {3, 8, 14}) {
-    expect_shown(drawn(last_frame(), 4),
+    expect_shown(depixelled(last_frame(), 4),
                  play(script, {.filter = preset("4x"), .frames = sequence_frames() + more}));
   }
 }
 
 TEST_F(PlugIn, AllPresets) {
   const auto shown = [&](const std::string& name, double scale, const Options& options, int levels) {
-    expect_shown(drawn(last_frame(), scale, options),
+    expect_shown(depixelled(last_frame(), scale, options),
                  play(scroll(), {.filter = preset(name), .frames = sequence_frames(), .scale = scale}),
                  levels);
   };
@@ -245,7 +166,7 @@ TEST_F(PlugIn, AllPresets) {
 TEST_F(PlugIn, FractionalScales) {
   for (const double scale : {1.5, 2.5, 3.33}) {
     const auto own = own_preset(fmt::format("depixel_scale = \"{}\"\ndepixel_backend = \"cpu\"\n", scale));
-    expect_shown(drawn(last_frame(), scale),
+    expect_shown(depixelled(last_frame(), scale),
                  play(scroll(), {.filter = own, .frames = sequence_frames(), .scale = scale}));
   }
 }
@@ -253,14 +174,14 @@ TEST_F(PlugIn, FractionalScales) {
 TEST_F(PlugIn, ThreadsAndLinearLight) {
   const auto own =
       own_preset("depixel_threads = \"2\"\ndepixel_linear_light = \"true\"\ndepixel_backend = \"cpu\"\n");
-  expect_shown(drawn(last_frame(), 4, {.linear_light = true}),
+  expect_shown(depixelled(last_frame(), 4, {.linear_light = true}),
                play(scroll(), {.filter = own, .frames = sequence_frames()}));
 }
 
 TEST_F(PlugIn, BadSettingsAreWarnedOf) {
   const auto own = own_preset("depixel_scale = \"huge\"\ndepixel_backend = \"cpu\"\n");
   const RetroArchRan ran = play(scroll(), {.filter = own, .frames = sequence_frames()});
-  expect_shown(drawn(last_frame(), 4), ran);
+  expect_shown(depixelled(last_frame(), 4), ran);
   EXPECT_NE(ran.log.find("depixel: The setting scale stays 4: \"huge\" is not a number from 1 to 16."),
             std::string::npos)
       << ran.log;
@@ -270,10 +191,10 @@ TEST_F(PlugIn, SmallerGeometryAndBack) {
   const std::string small = written("small.png", cropped(last_frame(), 80, 60));
   const std::string script = scroll() + "resize 80x60\nshow " + small + " 5\n";
   // The window stays as large: the picture is shown twice its size.
-  expect_shown(enlarged(drawn(cropped(last_frame(), 80, 60), 4), 2),
+  expect_shown(enlarged(depixelled(cropped(last_frame(), 80, 60), 4), 2),
                play(script, {.filter = preset("4x"), .frames = sequence_frames() + 5}));
   const std::string back = script + "resize 160x120\nshow " + written("last.png", last_frame()) + " 5\n";
-  expect_shown(drawn(last_frame(), 4),
+  expect_shown(depixelled(last_frame(), 4),
                play(back, {.filter = preset("4x"), .frames = sequence_frames() + 10}));
 }
 
@@ -283,28 +204,14 @@ TEST_F(PlugIn, IsMadeAnewForAnotherMaximum) {
       scroll() + "av_info 320x200\nshow " DEPIXEL_TEST_DATA "/frames/davegnukem_0052.png 8\n";
   for (const char* name : {"4x", "GL-4x"}) {
     const RetroArchRan ran = play(script, {.filter = preset(name), .frames = sequence_frames() + 8});
-    expect_shown(drawn(frame, 4), ran, std::string(name) == "4x" ? 0 : 2);
+    expect_shown(depixelled(frame, 4), ran, std::string(name) == "4x" ? 0 : 2);
   }
 }
 
 TEST_F(PlugIn, FramesAboveTheMaximumAreCutToIt) {
   const std::string script = "geometry 100x80\nshow " + kSequence.string() + "\n";
-  expect_shown(drawn(cropped(last_frame(), 100, 80), 4),
+  expect_shown(depixelled(cropped(last_frame(), 100, 80), 4),
                play(script, {.filter = preset("4x"), .frames = sequence_frames()}));
-}
-
-TEST_F(PlugIn, Rotated) {
-  const RetroArchRan ran =
-      play(scroll("rotate 180\n"), {.filter = preset("4x"), .frames = sequence_frames()});
-  const Picture upright = drawn(last_frame(), 4);
-  Picture turned(upright.width(), upright.height());
-  for (int y = 0; y < upright.height(); ++y) {
-    for (int x = 0; x < upright.width(); ++x) {
-      const Rgba c = pixel(upright, upright.width() - 1 - x, upright.height() - 1 - y);
-      std::copy_n(&c.r, 4, turned.target().pixels + y * turned.target().pitch + 4 * x);
-    }
-  }
-  expect_shown(turned, ran);
 }
 
 /// A core, and a game: one that a package ships, or one of our own.
@@ -344,7 +251,7 @@ TEST_P(PlugInOn, ShowsTheConsolesPictureDepixelled) {
     EXPECT_EQ(ran.exit_code, 0) << ran.log;
     EXPECT_EQ(ran.errors, "");
     EXPECT_NE(ran.log.find("Found plug: Depixel (depixel)"), std::string::npos) << ran.log;
-    expect_shown(drawn(raw.screenshot, 4), ran, std::string(name) == "4x" ? 0 : 2);
+    expect_shown(depixelled(raw.screenshot, 4), ran, std::string(name) == "4x" ? 0 : 2);
   }
 }
 
