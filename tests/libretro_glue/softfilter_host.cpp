@@ -135,6 +135,7 @@ Picture SoftfilterHost::filter(const CoreFrame& frame, std::size_t claimed_pitch
   library_->get_work_packets(data_, packets.data(), buffer_->data(), std::size_t{4} * width,
                              frame.bytes.data(), frame.width, frame.height, claimed_pitch);
   std::vector<std::thread> workers;
+  workers.reserve(packets.size());
   for (const softfilter::Packet& packet : packets) {
     workers.emplace_back([&] { packet.work(data_, packet.thread_data); });
   }

@@ -54,6 +54,7 @@ std::vector<Picture> shipped_sequence(const std::string& name) {
     files.insert(file.path());
   }
   std::vector<Picture> frames;
+  frames.reserve(files.size());
   for (const auto& file : files) frames.push_back(load_picture(file));
   return frames;
 }
@@ -252,6 +253,7 @@ TEST(Softfilter, ManyAtOnceOnThreadsOfTheirOwn) {
   const std::vector<Picture> frames = shipped_sequence("alex4");
   std::vector<std::thread> hosts;
   std::vector<int> wrong(4, 0);
+  hosts.reserve(wrong.size());
   for (int i = 0; i < 4; ++i) {
     hosts.emplace_back([&, i] {
       SoftfilterHost host(plug_in(),
