@@ -92,7 +92,7 @@ CFG
 # The best medians of a sequence, a line each way: name, ms.
 measure() { # FOLDER
   local first size
-  first=$(find "$1" -type f -name '*.png' | sort | head -n 1)
+  first=$(find "$1" -type f -name '*.png' | sort | sed -n 1p)
   [ -n "$first" ] || fail "There are no PNG pictures in $1."
   size=$(identify -format '%wx%h' "$first")
   printf 'geometry %s\nshow %s 200\n' "$size" "$(realpath "$1")" > "$work/play.frames"
