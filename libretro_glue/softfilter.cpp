@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <memory>
-#include <new>
 #include <optional>
 #include <string>
 
@@ -29,6 +27,11 @@ struct Instance {
   void* output = nullptr;
   std::size_t output_pitch = 0;
 };
+
+/// A side of a frame as a number that the filter takes; it cuts frames to the declared maximum anyway.
+int side(unsigned pixels) {
+  return static_cast<int>(std::min<unsigned>(pixels, HostFilter::kMaxOutputSide));
+}
 
 Instance& instance(void* data) {
   return *static_cast<Instance*>(data);
@@ -88,9 +91,7 @@ unsigned num_threads(void*) {
 }
 
 void output_size(void* data, unsigned* out_width, unsigned* out_height, unsigned width, unsigned height) {
-  constexpr unsigned kMost = HostFilter::kMaxOutputSide;
-  const HostFilter::Size size = instance(data).filter.output_size(static_cast<int>(std::min(width, kMost)),
-                                                                  static_cast<int>(std::min(height, kMost)));
+  const HostFilter::Size size = instance(data).filter.output_size(side(width), side(height));
   *out_width = static_cast<unsigned>(size.width);
   *out_height = static_cast<unsigned>(size.height);
 }
@@ -104,10 +105,8 @@ void work(void* data, void*) try {
 
 void get_work_packets(void* data, Packet* packets, void* output, std::size_t output_pitch, const void* input,
                       unsigned width, unsigned height, std::size_t input_pitch) {
-  constexpr unsigned kMost = HostFilter::kMaxOutputSide;
   Instance& self = instance(data);
-  self.frame = {input, static_cast<int>(std::min(width, kMost)), static_cast<int>(std::min(height, kMost)),
-                input_pitch, self.format};
+  self.frame = {input, side(width), side(height), input_pitch, self.format};
   self.output = output;
   self.output_pitch = output_pitch;
   packets[0] = {work, nullptr};

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Builds depixel, depixel-player and the plug-in for RetroArch, and draws the shipped frames and sprites, as PNG and as SVG, into out/demo.
+# Builds depixel, depixel-player and the plug-in for RetroArch, and draws the shipped frames and sprites, as PNG and as
+# SVG, into out/demo.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -20,4 +21,5 @@ find out/demo -type f | sort | sed 's/^/  /'
 
 echo
 echo "To look at them in a window: $PWD/build/release/bin/depixel-player tests/data/frames"
-echo "To play with the filter, choose a preset in RetroArch, Settings, Video, Video Filter: $PWD/build/release/retroarch/depixel"
+echo "To play with the filter, choose one of its presets in RetroArch, under Settings, Video, Video Filter:"
+echo "  $PWD/build/release/retroarch/depixel"

@@ -44,23 +44,12 @@ convert "$work/player.png" -colors 256 docs/images/player.png
 
 # RetroArch with the filter: the test core shows a frame.
 printf 'geometry 400x256\nshow %s 1000\n' "$PWD/tests/data/frames/jumpnbump_0013.png" > "$work/show.frames"
-cat > "$work/ra.cfg" <<CFG
-video_driver = "gl"
+cat - tests/retroarch/retroarch.cfg > "$work/ra.cfg" <<CFG
 video_vsync = "true"
-video_smooth = "false"
 video_scale = "3.000000"
-aspect_ratio_index = "21"
 video_filter = "$PWD/build/release/retroarch/depixel/Depixel-3x.filt"
 video_font_enable = "true"
 fps_show = "true"
-menu_driver = "null"
-audio_enable = "false"
-audio_driver = "null"
-input_driver = "x"
-input_joypad_driver = "null"
-pause_nonactive = "false"
-config_save_on_exit = "false"
-gamemode_enable = "false"
 CFG
 cat > "$work/show.sh" <<'SH'
 retroarch -c "$1/ra.cfg" -L "$2" --max-frames=100000 "$1/show.frames" &

@@ -60,28 +60,11 @@ trap 'rm -rf "$work"' EXIT
 
 # Runs RetroArch with a filter, or none, and prints the median time of a frame in milliseconds.
 run() { # FILTER
-  cat > "$work/ra.cfg" <<CFG
-video_driver = "gl"
-video_vsync = "false"
-video_smooth = "false"
-video_threaded = "false"
-video_scale = "4.000000"
-aspect_ratio_index = "21"
-video_font_enable = "false"
-menu_enable_widgets = "false"
-menu_driver = "null"
-audio_enable = "false"
-audio_driver = "null"
-input_driver = "x"
-input_joypad_driver = "null"
-pause_nonactive = "false"
-config_save_on_exit = "false"
-gamemode_enable = "false"
-savefile_directory = "$work"
-savestate_directory = "$work"
-system_directory = "$work"
-video_filter = "$1"
-CFG
+  {
+    for folder in savefile savestate system; do echo "${folder}_directory = \"$work\""; done
+    echo "video_filter = \"$1\""
+    cat "$root/tests/retroarch/retroarch.cfg"
+  } > "$work/ra.cfg"
   HOME=$work XDG_CONFIG_HOME=$work LIBGL_ALWAYS_SOFTWARE=1 DBUS_FATAL_WARNINGS=0 timeout -k 5 300 \
     xvfb-run -a -s "-screen 0 2600x2000x24" retroarch -v -c "$work/ra.cfg" -L "$core" \
     --max-frames=$((frames + 61)) "$work/play.frames" > "$work/log" 2>&1 || true

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "filter/red_blue.hpp"
+
 namespace depixel {
 namespace {
 
@@ -19,7 +21,7 @@ void copy_row(const std::uint8_t* rgba, int width, ChannelOrder order, std::uint
   for (int x = 0; x < width; ++x, rgba += 4, to += 4) {
     std::uint32_t pixel;
     std::memcpy(&pixel, rgba, sizeof pixel);
-    pixel = (pixel & 0xff00ff00U) | (pixel >> 16 & 0xff) | (pixel & 0xff) << 16;
+    pixel = swap_red_and_blue(pixel);
     std::memcpy(to, &pixel, sizeof pixel);
   }
 }

@@ -42,9 +42,6 @@ class HostFilter {
   /// \param pitch       bytes; where they are fewer than a row, nothing is drawn.
   void draw(HostFrame frame, void* output, std::size_t pitch);
 
-  bool draws_by_gl() const { return gl_ != nullptr; }
-  const HostSettings& settings() const { return settings_; }
-
  private:
   void choose_backend();
   tl::expected<void, Error> draw_by(FrameFilter& filter, const std::optional<FrameView>& frame,

@@ -3,6 +3,8 @@
 #include <bit>
 #include <cstring>
 
+#include "filter/red_blue.hpp"
+
 namespace depixel {
 namespace {
 
@@ -12,7 +14,7 @@ static_assert(std::endian::native == std::endian::little,
 constexpr std::uint32_t kOpaque = 0xff000000U;
 
 std::uint32_t from_word(std::uint32_t xrgb8888) {
-  return kOpaque | (xrgb8888 & 0xff00) | (xrgb8888 >> 16 & 0xff) | (xrgb8888 & 0xff) << 16;
+  return kOpaque | swap_red_and_blue(xrgb8888);
 }
 
 /// The nearest of 256 levels to each of 32 and of 64: what OpenGL makes of 16 bits, so that colours are those

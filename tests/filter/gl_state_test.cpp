@@ -27,7 +27,6 @@ constexpr GLenum kSwitches[] = {GL_BLEND,
 /// Everything of a context's state that drawing might touch, by parameter; with several values, all of them.
 constexpr std::pair<GLenum, int> kParameters[] = {{GL_VIEWPORT, 4},
                                                   {GL_SCISSOR_BOX, 4},
-                                                  {GL_SCISSOR_BOX, 4},
                                                   {GL_COLOR_WRITEMASK, 4},
                                                   {GL_COLOR_CLEAR_VALUE, 4},
                                                   {GL_CURRENT_PROGRAM, 1},
@@ -104,7 +103,6 @@ void set_odd_state(const GladGLContext& gl) {
   gl.GenFramebuffers(1, &name);
   gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, name);
   gl.Viewport(3, 4, 5, 6);
-  gl.Scissor(1, 2, 7, 8);
   gl.Scissor(1, 1, 2, 2);
   gl.ColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE);
   for (const GLenum pixel_store : {GL_UNPACK_ALIGNMENT, GL_PACK_ALIGNMENT}) gl.PixelStorei(pixel_store, 1);

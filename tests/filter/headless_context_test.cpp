@@ -28,6 +28,10 @@ TEST_P(HeadlessContextOf, IsACoreProfileThatDraws) {
   context.gl.GetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
   EXPECT_NE(profile & GL_CONTEXT_CORE_PROFILE_BIT, 0);
   expect_that_it_draws(context);
+  const bool is_egl = GetParam() == ContextKind::egl;
+  const auto same_kind = is_egl ? create_egl_context({}) : create_osmesa_context({});
+  ASSERT_TRUE(same_kind);
+  EXPECT_EQ(context.context->loader(), (*same_kind)->loader());
 }
 
 TEST_P(HeadlessContextOf, LivesBesideAnotherAndAfterIt) {
@@ -47,6 +51,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, HeadlessContextOf, testing::Values(ContextKind::
 
 TEST(HeadlessContext, OfBothKindsLiveInOneProcess) {
   const GlContext osmesa(ContextKind::osmesa), egl(ContextKind::egl);
+  EXPECT_NE(osmesa.context->loader(), egl.context->loader());
   expect_that_it_draws(osmesa);
   expect_that_it_draws(egl);
 }

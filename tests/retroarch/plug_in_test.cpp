@@ -10,6 +10,7 @@
 #include "tests/apps/pictures.hpp"
 #include "tests/retroarch/expected.hpp"
 #include "tests/retroarch/games/games.hpp"
+#include "tests/retroarch/play.hpp"
 #include "tests/retroarch/retroarch_run.hpp"
 
 namespace depixel::test {
@@ -42,16 +43,17 @@ Picture cropped(const Picture& picture, int width, int height) {
 class PlugIn : public testing::Test {
  protected:
   RetroArchRan play(const std::string& script, RetroArchRun wanted) {
-    const std::string file = folder_ / "script.frames";
-    write_text(file, script);
     wanted.core = DEPIXEL_TEST_CORE;
-    wanted.content = file;
-    RetroArchRan ran = run_retroarch(wanted);
+    wanted.content = folder_ / "script.frames";
+    write_text(wanted.content, script);
+    return ended_well(run_retroarch(wanted));
+  }
+
+  /// Expects what every run with the plug-in must be like.
+  static RetroArchRan ended_well(RetroArchRan ran) {
     EXPECT_EQ(ran.exit_code, 0) << ran.log;
     EXPECT_EQ(ran.errors, "");
-    if (!wanted.filter.empty()) {
-      EXPECT_NE(ran.log.find("Found plug: Depixel (depixel)"), std::string::npos) << ran.log;
-    }
+    EXPECT_NE(ran.log.find("Found plug: Depixel (depixel)"), std::string::npos) << ran.log;
     return ran;
   }
 
@@ -133,7 +135,7 @@ TEST_F(PlugIn, ByOpenGl) {
 TEST_F(PlugIn, ByTheProcessorWhereThereIsNoOpenGl) {
   const RetroArchRan ran = play(scroll(), {.filter = preset("GL-4x"),
                                            .frames = sequence_frames(),
-                                           .environment = "__EGL_VENDOR_LIBRARY_FILENAMES=/dev/null"});
+                                           .environment = {"__EGL_VENDOR_LIBRARY_FILENAMES=/dev/null"}});
   expect_shown(depixelled(last_frame(), 4), ran);
   EXPECT_NE(
       ran.log.find("depixel: The processor draws instead of OpenGL. There is no OpenGL context to be had"),
@@ -151,7 +153,7 @@ TEST_F(PlugIn, DuplicatesAndIdenticalFrames) {
 }
 
 TEST_F(PlugIn, AllPresets) {
-  const auto shown = [&](const std::string& name, double scale, const Options& options, int levels) {
+  const auto shown = [&](const std::string& name, int scale, const Options& options, int levels) {
     expect_shown(depixelled(last_frame(), scale, options),
                  play(scroll(), {.filter = preset(name), .frames = sequence_frames(), .scale = scale}),
                  levels);
@@ -167,7 +169,8 @@ TEST_F(PlugIn, FractionalScales) {
   for (const double scale : {1.5, 2.5, 3.33}) {
     const auto own = own_preset(fmt::format("depixel_scale = \"{}\"\ndepixel_backend = \"cpu\"\n", scale));
     expect_shown(depixelled(last_frame(), scale),
-                 play(scroll(), {.filter = own, .frames = sequence_frames(), .scale = scale}));
+                 ended_well(test::play(folder_, scroll(), scaled(160, scale), scaled(120, scale),
+                                       {.filter = own, .frames = sequence_frames()})));
   }
 }
 
@@ -247,11 +250,8 @@ TEST_P(PlugInOn, ShowsTheConsolesPictureDepixelled) {
   run.scale = 4;
   for (const char* name : {"4x", "GL-4x"}) {
     run.filter = preset(name);
-    const RetroArchRan ran = run_retroarch(run);
-    EXPECT_EQ(ran.exit_code, 0) << ran.log;
-    EXPECT_EQ(ran.errors, "");
-    EXPECT_NE(ran.log.find("Found plug: Depixel (depixel)"), std::string::npos) << ran.log;
-    expect_shown(depixelled(raw.screenshot, 4), ran, std::string(name) == "4x" ? 0 : 2);
+    expect_shown(depixelled(raw.screenshot, 4), ended_well(run_retroarch(run)),
+                 std::string(name) == "4x" ? 0 : 2);
   }
 }
 

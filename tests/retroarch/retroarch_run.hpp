@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "apps/common/picture.hpp"
 #include "tests/apps/process.hpp"
@@ -14,11 +15,10 @@ struct RetroArchRun {
   std::filesystem::path core = {}, content = {};
   std::filesystem::path filter = {};  ///< a preset; empty: none
   int frames = 30;
-  double scale = 4;                         ///< screen pixels to a pixel of the core's base geometry
-  int base_width = 160, base_height = 120;  ///< that geometry, needed where the scale is a fraction
+  int scale = 4;  ///< of the window: screen pixels to a pixel of the core's base geometry
   bool is_threaded = false;
   std::map<std::string, std::string> settings = {};  ///< more lines of its configuration
-  std::string environment = "IS_TEST=1";             ///< one more variable
+  std::vector<std::string> environment = {};         ///< more variables, as NAME=VALUE
 };
 
 /// How that ended.
