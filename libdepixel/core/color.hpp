@@ -40,13 +40,18 @@ constexpr bool similar_yuv(Rgba p, Rgba q) {
   return p.a == q.a && magnitude(d.y) <= kMaxY && magnitude(d.u) <= kMaxU && magnitude(d.v) <= kMaxV;
 }
 
-/// Euclidean YUV distance of at most 100 levels: the bound of shading contours and of connect-lines.
-/// Colours of unequal alpha are never near. Source: Kopf and Lischinski 2011, section 3.3.
-constexpr bool near_yuv(Rgba p, Rgba q) {
-  constexpr std::int64_t kMaxDistance = 100'000;
+/// Whether the Euclidean YUV distance of two colours is at most so many 1/1000 of a level.
+/// Colours of unequal alpha are never near.
+constexpr bool is_within_yuv(Rgba p, Rgba q, std::int64_t distance) {
   const YuvDifference d = yuv_difference(p, q);
   const auto square = [](std::int64_t v) { return v * v; };
-  return p.a == q.a && square(d.y) + square(d.u) + square(d.v) <= square(kMaxDistance);
+  return p.a == q.a && square(d.y) + square(d.u) + square(d.v) <= square(distance);
+}
+
+/// A distance of at most 100 levels: the bound of shading contours and of connect-lines.
+/// Source: Kopf and Lischinski 2011, section 3.3.
+constexpr bool near_yuv(Rgba p, Rgba q) {
+  return is_within_yuv(p, q, 100'000);
 }
 
 }  // namespace depixel

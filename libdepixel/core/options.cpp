@@ -8,6 +8,7 @@ namespace {
 constexpr std::array<std::string_view, 2> kSimilarityNames{"exact", "merge"};
 constexpr std::array<std::string_view, 3> kSplineNames{"adaptive", "approximate", "interpolate"};
 constexpr std::array<std::string_view, 3> kSmoothingNames{"energy", "average", "none"};
+constexpr std::array<std::string_view, 3> kShadingNames{"none", "gradient", "blur"};
 
 template <auto Member>
 ChoiceOption choice(std::span<const std::string_view> names) {
@@ -17,12 +18,13 @@ ChoiceOption choice(std::span<const std::string_view> names) {
 }
 
 constexpr double kMaxWeight = 1000.0;
+constexpr double kMaxDistance = 100.0;
 constexpr int kMaxThreads = 256;
 
 }  // namespace
 
 std::span<const OptionInfo> option_table() {
-  static const std::array<OptionInfo, 9> kTable{{
+  static const std::array<OptionInfo, 11> kTable{{
       {"similarity", "Pixels belong together when their colours are equal (exact) or alike (merge)",
        choice<&Options::similarity>(kSimilarityNames)},
       {"connect-lines", "Join lines of similar colour across diagonals",
@@ -35,6 +37,10 @@ std::span<const OptionInfo> option_table() {
        NumberOption{&Options::sparse_weight, 0.0, kMaxWeight}},
       {"island-weight", "Vote against cutting off a single pixel at a crossing",
        NumberOption{&Options::island_weight, 0.0, kMaxWeight}},
+      {"shading", "How the colours of pixels that merged or were connected run inside their component",
+       choice<&Options::shading>(kShadingNames)},
+      {"soft-contours", "Distance of colours (0 to 100) up to which a contour between them is drawn soft",
+       NumberOption{&Options::soft_contours, 0.0, kMaxDistance}},
       {"linear-light", "Blend colours in linear light at edges", SwitchOption{&Options::linear_light}},
       {"threads", "Threads to vectorize and draw with", CountOption{&Options::threads, 1, kMaxThreads}},
   }};

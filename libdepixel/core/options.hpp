@@ -9,6 +9,7 @@ namespace depixel {
 enum class Similarity { exact, merge };
 enum class SplineKind { adaptive, approximate, interpolate };
 enum class Smoothing { energy, average, none };
+enum class ShadingKind { none, gradient, blur };
 
 /// Everything that a user can choose about vectorizing and drawing. The defaults are the best-scoring ones.
 struct Options {
@@ -19,11 +20,18 @@ struct Options {
   double curve_weight = 1.0;
   double sparse_weight = 1.0;
   double island_weight = 5.0;
+  ShadingKind shading = ShadingKind::none;
+  double soft_contours = 0.0;  ///< YUV distance in levels; none at 0
   bool linear_light = false;
   int threads = 1;
 
   /// Whether links and colours depend on whole components of similar pixels, and not on near pixels alone.
   bool has_whole_components() const { return similarity == Similarity::merge || connect_lines; }
+
+  /// Whether colours may run inside a region: its pixels' own, or those of regions beyond a soft contour.
+  bool has_shading() const {
+    return soft_contours > 0 || (shading != ShadingKind::none && has_whole_components());
+  }
 
   friend bool operator==(const Options&, const Options&) = default;
 };

@@ -84,6 +84,8 @@ void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& opt
   join();
   clock.finish(4);
 
+  std::swap(shading_, shading_before_);
+  build_shading(graph(), cells_, options, shading_);
   is_whole_ ? set_all_changed() : compare();
   if (!is_known) {
     // Frames like noise have more shapes of their own.
@@ -378,8 +380,8 @@ void IncrementalVectorizer::set_all_changed() {
 
 void IncrementalVectorizer::compare() {
   if (is_most(lattice(), kMostNew, changed_colours_.size())) return set_all_changed();
-  const MapPair maps{lattice(),      table_,        edges_.curve,   curves_before_,
-                     cells_.corners, codes_before_, cells_.colours, colours_before_};
+  const MapPair maps{lattice(),     table_,         edges_.curve,    curves_before_, cells_.corners,
+                     codes_before_, cells_.colours, colours_before_, shading_,       shading_before_};
   comparison_.find_new(maps, blocks_, set_curves_, changed_colours_, rules_, changes_);
   comparison_.find_moved(maps, blocks_, set_curves_, votes_.most_voted(), changes_);
   std::for_each(changes_.moves.rbegin(), changes_.moves.rend(),
@@ -388,13 +390,17 @@ void IncrementalVectorizer::compare() {
 }
 
 const PlanarMap& IncrementalVectorizer::map() const {
-  if (!is_map_made_) build_planar_map(edges_, table_, cells_.colours, map_);
+  if (!is_map_made_) {
+    build_planar_map(edges_, table_, cells_.colours, map_);
+    map_.shading = shading_;
+  }
   is_map_made_ = true;
   return map_;
 }
 
 std::size_t IncrementalVectorizer::memory_bytes() const {
   return graph_.memory_bytes() + blocks_.memory_bytes() + components_.memory_bytes() + cells_.memory_bytes() +
+         shading_.memory_bytes() + shading_before_.memory_bytes() +
          held_bytes(colours_before_, changed_colours_, thin_, stale_, stale_codes_, curves_before_,
                     set_curves_, is_slot_set_, codes_before_, row_before_, moved_, unpainted_) +
          contours_.memory_bytes() + arcs_.memory_bytes() + votes_.memory_bytes() + guess_.memory_bytes() +

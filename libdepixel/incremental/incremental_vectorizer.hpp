@@ -37,6 +37,7 @@ class IncrementalVectorizer {
   const EdgeMap& edges() const { return edges_; }
   const SplineTable& table() const { return table_; }
   const std::vector<Rgba>& colours() const { return cells_.colours; }
+  const Shading& shading() const { return shading_; }
   const Lattice& lattice() const { return graph_.lattice(); }
   /// True where nothing of the frame lets anything through.
   bool is_opaque() const { return is_opaque_; }
@@ -82,6 +83,7 @@ class IncrementalVectorizer {
   std::vector<Rgba> colours_before_;
   std::vector<int> changed_colours_;  ///< pixels whose colours are not those moved here
   bool is_opaque_ = false;
+  Shading shading_, shading_before_;
   std::vector<std::uint8_t> thin_;
 
   bool is_whole_ = false;                ///< all contours are traced again

@@ -93,6 +93,7 @@ void MapComparison::find_new(const MapPair& maps, const BlockMoves& blocks, std:
   }
   take_new(lattice, changes.tiles);
   if (blocks.any_moved()) keep_flat(maps, changes.tiles);
+  if (rules.has(Rule::tiles_by_shading)) take_new_shading(maps, changes);
   count(lattice, changes);
 }
 
@@ -211,6 +212,49 @@ void MapComparison::take_new(const Lattice& lattice, std::vector<std::uint8_t>& 
   }
 }
 
+/// Rule::tiles_by_shading: tiles that are not shaded as those that they are said to be were are new.
+void MapComparison::take_new_shading(const MapPair& maps, MapChanges& changes) {
+  if (!maps.shading.any && !maps.shading_before.any) return;
+  const Lattice& lattice = maps.lattice;
+  for (int y = 0; y < lattice.height(); ++y) {
+    const int first = lattice.pixel(0, y);
+    for (int tile = first; tile < first + lattice.width(); ++tile) {
+      const std::uint8_t fate = changes.tiles[tile];
+      if (fate == MapChanges::kNew) continue;
+      const glm::ivec2 move =
+          fate == MapChanges::kSame ? glm::ivec2(0) : changes.moves[fate - MapChanges::kMoved];
+      if (!is_shading_moved(maps, tile, move.y * lattice.stride() + move.x))
+        changes.tiles[tile] = MapChanges::kNew;
+    }
+  }
+}
+
+/// Whether colours run in a tile as in one at some offset before it.
+bool MapComparison::is_shading_moved(const MapPair& maps, int tile, int offset) {
+  if (!maps.shading.any && !maps.shading_before.any) return true;
+  const int stride = maps.lattice.stride();
+  const auto block = [](const Shading& shading, int i) {
+    return shading.any ? shading.blocks[i] : std::uint8_t{0};
+  };
+  int shaded = 0;
+  for (const int corner : {tile - stride - 1, tile - stride, tile - 1, tile}) {
+    const std::uint8_t now = block(maps.shading, corner);
+    if (now != block(maps.shading_before, corner - offset)) return false;
+    shaded |= now;
+  }
+  if (shaded == 0) return true;
+  constexpr std::size_t kThree = 3 * sizeof(Rgba);
+  const auto are_equal = [&](const std::vector<Rgba>& now, const std::vector<Rgba>& before, int pixel) {
+    return std::memcmp(now.data() + pixel, before.data() + pixel - offset, kThree) == 0;
+  };
+  for (const int pixel : {tile - stride - 1, tile - 1, tile + stride - 1}) {
+    if (!are_equal(maps.colours, maps.colours_before, pixel) ||
+        !are_equal(maps.shading.shades, maps.shading_before.shades, pixel))
+      return false;
+  }
+  return true;
+}
+
 /// Whether a tile is what one at some offset before it was: the tile's colour, the curves that touch it, and
 /// the colours on their sides.
 bool MapComparison::is_moved(const MapPair& maps, int tile, int offset) {
@@ -235,7 +279,7 @@ bool MapComparison::is_moved(const MapPair& maps, int tile, int offset) {
     const int first = first_owner + row * stride;
     is_same &= are_equal(maps.colours.data() + first, maps.colours_before.data() + first - offset);
   }
-  return is_same || has_moved_sides(maps, tile, offset);
+  return (is_same || has_moved_sides(maps, tile, offset)) && is_shading_moved(maps, tile, offset);
 }
 
 /// Whether the curves in a tile, which are those before, have the colours on their sides that they had.

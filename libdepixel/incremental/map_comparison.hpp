@@ -19,6 +19,7 @@ struct MapPair {
   const std::vector<int>&curve, &curve_before;         ///< by edge_slot()
   const std::vector<CornerCode>&codes, &codes_before;  ///< padded, by corner; read where the map moved
   const std::vector<Rgba>&colours, &colours_before;    ///< padded, by pixel
+  const Shading &shading, &shading_before;
 };
 
 /// An edge that was given a curve, and the number of the one that it had; 0 stands for none. Equal curves
@@ -57,6 +58,8 @@ class MapComparison {
   void mark(const MapPair& maps, int slot, int now, int before);
   void mark_tiles(const Lattice& lattice, glm::ivec2 across, glm::ivec2 down);
   void take_new(const Lattice& lattice, std::vector<std::uint8_t>& tiles) const;
+  static bool is_shading_moved(const MapPair& maps, int tile, int offset);
+  static void take_new_shading(const MapPair& maps, MapChanges& changes);
   static bool is_moved(const MapPair& maps, int tile, int offset);
   static bool has_moved_sides(const MapPair& maps, int tile, int offset);
   void take_moved(const MapPair& maps, const BlockMoves& blocks, glm::ivec2 move, MapChanges& changes) const;

@@ -68,6 +68,8 @@ void PictureUpdater::draw(const IncrementalVectorizer& source, const MapChanges&
   workers_.set_threads(threads);
   const std::vector<Rgba>& colours = colours_.of(source.colours(), target.order);
   moved_pixels_ = mover_.move(grid, changes, is_stale_);
+  if (source.shading().any)
+    field_.start(source.shading(), colours, shades_.of(source.shading().shades, target.order), grid);
   if (opaque) {
     linear_light ? draw_stale<OpaqueLight>(source, colours, grid)
                  : draw_stale<OpaqueColour>(source, colours, grid);
@@ -135,10 +137,10 @@ void PictureUpdater::find_windows(const IncrementalVectorizer& source, const Out
   }
 }
 
-template <typename Model>
+template <typename Sums>
 void PictureUpdater::draw_window(const IncrementalVectorizer& source, const std::vector<Rgba>& colours,
-                                 const OutputGrid& grid, const Strip& strip, const Window& window,
-                                 BandSums<Model>& sums, Scratch& scratch) const {
+                                 const OutputGrid& grid, const Strip& strip, const Window& window, Sums& sums,
+                                 Scratch& scratch) const {
   const Lattice& lattice = grid.lattice;
   const bool is_clear_west = window.clear < window.from;
   const bool is_flattened = FlattenedCurves::fits(grid);
@@ -158,11 +160,12 @@ void PictureUpdater::draw_window(const IncrementalVectorizer& source, const std:
   const int right_px = std::min(ceil_px(grid.column(reach)) + 1, grid.target.width);
   sums.resize(right_px - left_px);
   sums.start(strip.first_px, strip.end_px - strip.first_px);
+  if constexpr (requires { sums.shade_by(field_, left_px); }) sums.shade_by(field_, left_px);
 
   const int shift = left_px * kRasterSubpixels;
   const auto add = [&](int corner, int x, int y, int number, bool southwards) {
     const EdgeSides sides = sides_of(corner, southwards, lattice.stride());
-    const auto change = Model::change(colours[sides.right], colours[sides.left]);
+    const auto change = Sums::change(colours[sides.right], colours[sides.left]);
     const auto add_line = [&](glm::ivec2 a, glm::ivec2 b) {
       sums.add_line(a.x - shift, a.y, b.x - shift, b.y, change);
     };
@@ -197,10 +200,9 @@ void PictureUpdater::draw_window(const IncrementalVectorizer& source, const std:
   const bool has_west = first == 0, has_east = (is_clear_west ? window.to : window.clear) == lattice.width();
   for (int y = strip.first; y < strip.end; ++y) {
     const int y0 = grid.row(y), y1 = grid.row(y + 1);
-    if (has_west) sums.add_line(west, y0, west, y1, Model::change(Rgba{}, colours[lattice.pixel(0, y)]));
+    if (has_west) sums.add_line(west, y0, west, y1, Sums::change(Rgba{}, colours[lattice.pixel(0, y)]));
     if (has_east) {
-      sums.add_line(east, y0, east, y1,
-                    Model::change(colours[lattice.pixel(lattice.width() - 1, y)], Rgba{}));
+      sums.add_line(east, y0, east, y1, Sums::change(colours[lattice.pixel(lattice.width() - 1, y)], Rgba{}));
     }
   }
   const int north = grid.row(0), south = grid.row(lattice.height());
@@ -208,10 +210,10 @@ void PictureUpdater::draw_window(const IncrementalVectorizer& source, const std:
   const Rgba clear_colour = is_border ? Rgba{} : colours[lattice.pixel(window.clear, strip.first)];
   for (int row = strip.first_px; row < strip.end_px; ++row) {
     const int covered =
-        std::min((row + 1) * kRasterSubpixels, south) - std::max(row * kRasterSubpixels, north);
-    typename Model::Sums before =
-        Model::times(Model::change(Rgba{}, clear_colour), 2 * kRasterSubpixels * std::max(covered, 0));
-    if (!is_clear_west) before -= sums.total(row - strip.first_px);
+        std::max(std::min((row + 1) * kRasterSubpixels, south) - std::max(row * kRasterSubpixels, north), 0);
+    const typename Sums::Start before = is_clear_west
+                                            ? sums.start_from(clear_colour, covered)
+                                            : sums.start_before(row - strip.first_px, clear_colour, covered);
     std::uint8_t* out = grid.target.pixels + row * grid.target.pitch + std::ptrdiff_t{4} * left_px;
     sums.resolve(row - strip.first_px, out, before, from_px - left_px, to_px - left_px);
   }
@@ -222,30 +224,61 @@ template <typename Model>
 void PictureUpdater::draw_stale(const IncrementalVectorizer& source, const std::vector<Rgba>& colours,
                                 const OutputGrid& grid) {
   if (TilePainter::fits(grid)) {
-    drawn_pixels_ = painter_.draw<Model>(source, colours, grid, is_stale_, workers_);
-  } else {
-    find_strips(grid);
-    draw_strips<Model>(source, colours, grid);
+    leave_shaded(source);
+    drawn_pixels_ = painter_.draw<Model>(source, colours, grid, is_even_stale_, workers_);
+    if (!source.shading().any) return;
   }
+  find_strips(grid);
+  draw_strips<Model>(source, colours, grid);
+}
+
+/// Parts the stale tiles into those that are shaded, which stay stale, and the others.
+void PictureUpdater::leave_shaded(const IncrementalVectorizer& source) {
+  if (!source.shading().any) {
+    is_even_stale_.swap(is_stale_);
+    return;
+  }
+  const Lattice& lattice = source.lattice();
+  is_even_stale_.assign(is_stale_.size(), 0);
+  const std::uint8_t* blocks = source.shading().blocks.data();
+  const int stride = lattice.stride();
+  for (int y = 0; y < lattice.height(); ++y) {
+    for (int tile = lattice.pixel(0, y), end = tile + lattice.width(); tile < end; ++tile) {
+      if (is_stale_[tile] == 0) continue;
+      const int shaded = blocks[tile - stride - 1] | blocks[tile - stride] | blocks[tile - 1] | blocks[tile];
+      if (shaded == 0) std::swap(is_stale_[tile], is_even_stale_[tile]);
+    }
+  }
+}
+
+template <typename Sums>
+void PictureUpdater::draw_windows(const IncrementalVectorizer& source, const std::vector<Rgba>& colours,
+                                  const OutputGrid& grid, const Strip& strip, Sums& sums,
+                                  Scratch& scratch) const {
+  sums.resize(grid.target.width);  // room for all windows at once
+  for (const Window& window : scratch.windows)
+    draw_window(source, colours, grid, strip, window, sums, scratch);
 }
 
 template <typename Model>
 void PictureUpdater::draw_strips(const IncrementalVectorizer& source, const std::vector<Rgba>& colours,
                                  const OutputGrid& grid) {
-  auto& sums = std::get<std::vector<BandSums<Model>>>(sums_);
+  auto& sums = std::get<std::vector<RasterSums<Model>>>(sums_);
   const auto threads = static_cast<std::size_t>(workers_.threads());
   if (sums.size() < threads) sums.resize(threads);
   if (scratch_.size() < threads) scratch_.resize(threads);
-  for (BandSums<Model>& own : sums) own.resize(grid.target.width);
   for (Scratch& own : scratch_) {
     own.drawn_pixels = 0;
     own.flattened.start(source.table(), grid);
   }
   workers_.run(static_cast<int>(strips_.size()), [&](int part, int thread) {
     Scratch& own = scratch_[thread];
-    find_windows(source, grid, strips_[part], own);
-    for (const Window& window : own.windows) {
-      draw_window(source, colours, grid, strips_[part], window, sums[thread], own);
+    const Strip& strip = strips_[part];
+    find_windows(source, grid, strip, own);
+    if (source.shading().any && field_.is_shaded(strip.first_px, strip.end_px)) {
+      draw_windows(source, colours, grid, strip, sums[thread].shaded, own);
+    } else {
+      draw_windows(source, colours, grid, strip, sums[thread].even, own);
     }
   });
   for (const Scratch& own : scratch_) drawn_pixels_ += own.drawn_pixels;
@@ -253,7 +286,8 @@ void PictureUpdater::draw_strips(const IncrementalVectorizer& source, const std:
 
 std::size_t PictureUpdater::memory_bytes() const {
   std::size_t bytes = raster_.memory_bytes() + mover_.memory_bytes() + painter_.memory_bytes() +
-                      held_bytes(is_stale_, strips_) + colours_.memory_bytes();
+                      held_bytes(is_stale_, is_even_stale_, strips_) + colours_.memory_bytes() +
+                      shades_.memory_bytes() + field_.memory_bytes();
   for (const Scratch& own : scratch_) bytes += own.flattened.memory_bytes();
   return bytes;
 }

@@ -65,15 +65,19 @@ class PictureUpdater {
   template <typename Model>
   void draw_stale(const IncrementalVectorizer& source, const std::vector<Rgba>& colours,
                   const OutputGrid& grid);
+  void leave_shaded(const IncrementalVectorizer& source);
   void find_strips(const OutputGrid& grid);
   void find_windows(const IncrementalVectorizer& source, const OutputGrid& grid, const Strip& strip,
                     Scratch& scratch) const;
   template <typename Model>
   void draw_strips(const IncrementalVectorizer& source, const std::vector<Rgba>& colours,
                    const OutputGrid& grid);
-  template <typename Model>
+  template <typename Sums>
+  void draw_windows(const IncrementalVectorizer& source, const std::vector<Rgba>& colours,
+                    const OutputGrid& grid, const Strip& strip, Sums& sums, Scratch& scratch) const;
+  template <typename Sums>
   void draw_window(const IncrementalVectorizer& source, const std::vector<Rgba>& colours,
-                   const OutputGrid& grid, const Strip& strip, const Window& window, BandSums<Model>& sums,
+                   const OutputGrid& grid, const Strip& strip, const Window& window, Sums& sums,
                    Scratch& scratch) const;
 
   Workers workers_;
@@ -81,11 +85,13 @@ class PictureUpdater {
   TileMover mover_;
   TilePainter painter_;
   Drawn drawn_;
-  std::vector<std::uint8_t> is_stale_;  ///< padded, by tile
-  std::vector<Strip> strips_;           ///< those with stale tiles
-  std::vector<Scratch> scratch_;        ///< one a thread
-  BandSumsOfModels sums_;
-  OrderedColours colours_;
+  std::vector<std::uint8_t> is_stale_;       ///< padded, by tile
+  std::vector<std::uint8_t> is_even_stale_;  ///< padded: those of them that are not shaded
+  std::vector<Strip> strips_;                ///< those with stale tiles
+  std::vector<Scratch> scratch_;             ///< one a thread
+  SumsOfModels sums_;
+  OrderedColours colours_, shades_;
+  ShadeField field_;
   std::int64_t drawn_pixels_ = 0, moved_pixels_ = 0;
 };
 

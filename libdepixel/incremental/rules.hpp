@@ -34,14 +34,15 @@ enum class Rule : std::uint8_t {
   tiles_by_curves,       ///< what a tile shows: the curves in it, before and now
   tiles_by_colours,      ///< what a tile shows: its pixel's colour
   tiles_by_side_colours,  ///< what a tile shows: the colours on the sides of the curves in it
-  tiles_by_seams          ///< what a tile shows: curves and colours from beyond a seam
+  tiles_by_seams,         ///< what a tile shows: curves and colours from beyond a seam
+  tiles_by_shading        ///< what a tile shows: how colours run in the four blocks round its pixel
 };
-inline constexpr std::array<std::string_view, 17> kRuleNames{
+inline constexpr std::array<std::string_view, 18> kRuleNames{
     "links_by_pixels",    "links_by_seams",  "crossings_by_windows", "crossings_by_curves",
     "crossings_by_seams", "codes_by_pixels", "codes_by_crossings",   "thin_by_links",
     "edges_by_codes",     "curves_by_codes", "curves_by_thin",       "curves_by_seams",
     "joints_by_curves",   "tiles_by_curves", "tiles_by_colours",     "tiles_by_side_colours",
-    "tiles_by_seams"};
+    "tiles_by_seams",     "tiles_by_shading"};
 
 /// The rules that are obeyed. All of them, but in tests that show what goes wrong without one.
 class RuleSet {

@@ -30,6 +30,7 @@ const PlanarMap& Vectorizer::vectorize(const FrameView& frame, const Options& op
   clock.finish(4);
 
   build_planar_map(edges_, table_, cells_.colours, map_);
+  build_shading(graph_, cells_, options, map_.shading);
   clock.finish(5);
 
   stats_.pixels = frame.width * frame.height;

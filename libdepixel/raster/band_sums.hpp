@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <vector>
 
 #include "libdepixel/raster/colour_model.hpp"
+#include "libdepixel/raster/line_slices.hpp"
+#include "libdepixel/raster/touched_groups.hpp"
 
 namespace depixel {
 
@@ -16,73 +17,54 @@ namespace depixel {
 ///
 /// A line that goes down adds, to every pixel it crosses, its colour change times the area to its right
 /// inside the pixel, and to the next pixel the rest of the height it covers; a running sum along the row then
-/// gives the colours. All sums are integers. Source: FreeType's smooth rasteriser; font-rs.
+/// gives the colours. All sums are integers. Source: font-rs.
 template <typename Model, int kRowCount = 16>
 class BandSums {
  public:
   using Sums = typename Model::Sums;
   using Change = typename Model::Change;
 
+  /// The sum of all sums on the left of a row.
+  using Start = Sums;
+
   static constexpr int kRows = kRowCount;
+
+  static Change change(Rgba from, Rgba to) { return Model::change(from, to); }
 
   /// Sets the width of rows, in output pixels. Between bands only, when all rows have been resolved.
   void resize(int width) {
     width_ = width;
-    right_ = width * kRasterSubpixels;
+    slicer_.resize(width);
     if (width <= capacity_) return;
     capacity_ = width;
-    flag_capacity_ = (width / kGroup / kFlags + 1) * kFlags;
     sums_.assign(std::size_t{kRows} * stride(), Sums{});
-    touched_.assign(std::size_t{kRows} * flag_capacity_, 0);
+    touched_.resize(kRows, width);
   }
 
   /// Starts a band: output rows first_row .. first_row + rows - 1.
-  void start(int first_row, int rows) {
-    top_ = first_row * kRasterSubpixels;
-    bottom_ = top_ + rows * kRasterSubpixels;
-  }
+  void start(int first_row, int rows) { slicer_.start(first_row, rows); }
 
-  /// Adds a line, in output subpixels; parts outside the band are left out. Where a line meets the boundary
-  /// of a row depends on the line alone, so a line that crosses bands adds up to the same as in one band.
+  /// Adds a line, in output subpixels; parts outside the band are left out.
   /// \param change  from the colour on its right to the colour on its left, going from (x0, y0) to (x1, y1).
   void add_line(int x0, int y0, int x1, int y1, const Change& change) {
-    // Upside down, a line changes colours the other way. Selections, not branches: directions cannot be
-    // foretold.
-    const bool is_upwards = y0 > y1;
-    const int top_x = is_upwards ? x1 : x0, top_y = is_upwards ? y1 : y0;
-    const int bottom_x = is_upwards ? x0 : x1, bottom_y = is_upwards ? y0 : y1;
-    const int from = std::max(top_y, top_), to = std::min(bottom_y, bottom_);
-    if (from >= to) return;
-    const int width = bottom_x - top_x, height = bottom_y - top_y;
-    const Ratio slope(width, height);
-    const bool stays_inside = std::min(x0, x1) >= 0 && std::max(x0, x1) < right_;
-    Slice slice{change, Ratio(height, width == 0 ? 1 : std::abs(width)), is_upwards ? -1 : 1, 0, 0, 0, 0};
-    int x = top_x + slope.times(from - top_y);
-    for (int y = from; y < to;) {
-      const int next_y = std::min(to, (y | (kSub - 1)) + 1);
-      const int next_x = next_y == bottom_y ? bottom_x : top_x + slope.times(next_y - top_y);
-      slice.row = (y - top_) >> kSubBits;
-      slice.left = std::min(x, next_x);
-      slice.right = std::max(x, next_x);
-      slice.height = next_y - y;
-      if (!stays_inside) clip(slice);
-      add_slice(slice);
-      x = next_x;
-      y = next_y;
-    }
+    slicer_.cut(x0, y0, x1, y1, [&](const LineSlicer::Slice& slice) { add_slice(slice, change); });
   }
 
   /// Turns the sums of a row of the band into pixels, and clears them.
   void resolve(int row, std::uint8_t* out) { resolve(row, out, Sums{}, 0, width_); }
 
-  /// The sum of all sums of a row.
-  Sums total(int row) const {
+  /// A row's start on the right of a colour, of whose pixels so many subpixels are covered by the frame.
+  static Start start_from(Rgba colour, int covered) {
+    return Model::times(Model::change(Rgba{}, colour), 2 * kRasterSubpixels * covered);
+  }
+  /// A row's start where such a colour is on its right.
+  Start start_before(int row, Rgba colour, int covered) const {
     const Sums* sums = sums_.data() + row * stride();
-    Sums total{};
-    for_each_touched(row, [&](int first) {
-      for (int x = first; x < first + kGroup; ++x) total += sums[x];
+    Start start = start_from(colour, covered);
+    touched_.for_each(row, width_, [&](int first) {
+      for (int x = first; x < first + kGroup; ++x) start -= sums[x];
     });
-    return total;
+    return start;
   }
 
   /// Calls visit(column, sum) for the pixels of a row that were touched, and maybe for others, from left to
@@ -90,20 +72,20 @@ class BandSums {
   template <typename Visit>
   void take(int row, Visit visit) {
     Sums* sums = sums_.data() + row * stride();
-    for_each_touched(row, [&](int first) {
+    touched_.for_each(row, width_, [&](int first) {
       for (int x = first; x < first + kGroup; ++x) {
         visit(x, sums[x]);
         sums[x] = Sums{};
       }
     });
-    forget_touched(row);
+    touched_.forget(row);
   }
 
   /// The same for a part of the row: only pixels from .. to - 1 are written.
   /// \param before  the sum of all sums left of the row.
   void resolve(int row, std::uint8_t* out, Sums before, int from, int to) {
     RowState state{sums_.data() + row * stride(), out, before, Model::decode(before), from, to};
-    for_each_touched(row, [&](int first) {
+    touched_.for_each(row, width_, [&](int first) {
       if (first >= from && first + kGroup <= to) {
         fill(state, first);
         resolve_whole(state, first);
@@ -111,32 +93,15 @@ class BandSums {
         resolve_part(state, first);
       }
     });
-    forget_touched(row);
+    touched_.forget(row);
     fill(state, to);
   }
 
  private:
-  /// Pixels that share a flag, and flags that are looked at together.
-  static constexpr int kGroup = kWordLanes, kFlags = sizeof(std::uint64_t);
-  static constexpr int kSub = kRasterSubpixels;
-  static constexpr int kSubBits = std::countr_zero(static_cast<unsigned>(kSub));
+  static constexpr int kGroup = TouchedGroups::kGroup;
 
   /// Whole groups, with room for what a line in the last column leaves to the next.
   std::size_t stride() const { return (static_cast<std::size_t>(capacity_) / kGroup + 1) * kGroup; }
-
-  /// Calls visit(first column) for each group of a row with touched pixels, from left to right.
-  template <typename Visit>
-  void for_each_touched(int row, Visit visit) const {
-    const std::uint8_t* flags = touched_.data() + std::size_t(row) * flag_capacity_;
-    for (int flag = 0; flag <= width_ / kGroup; flag += kFlags) {
-      for (std::uint64_t bits = load_bytes(flags + flag); bits != 0; bits &= bits - 1) {
-        visit((flag + std::countr_zero(bits) / 8) * kGroup);
-      }
-    }
-  }
-  void forget_touched(int row) {
-    std::fill_n(touched_.data() + std::size_t(row) * flag_capacity_, flag_capacity_, std::uint8_t{0});
-  }
 
   /// How far a row has been resolved: pixels before `done` are written, or are not to be, and so are those
   /// from `end` on; `running` is the sum of the sums so far.
@@ -183,88 +148,28 @@ class BandSums {
     state.done = first + kGroup;
   }
 
-  /// A ratio of two integers in fixed point, to be multiplied by another integer and rounded. Lines are
-  /// short, so most denominators are found in a table of reciprocals.
-  class Ratio {
-   public:
-    Ratio(int numerator, int denominator)
-        : value_(denominator < kTabled ? std::int64_t{numerator} * kReciprocals[denominator]
-                                       : std::int64_t{numerator} * kOne / denominator) {}
-    int times(int factor) const { return static_cast<int>((value_ * factor + kOne / 2) >> kBits); }
-
-   private:
-    static constexpr int kBits = 28;
-    static constexpr std::int64_t kOne = std::int64_t{1} << kBits;
-    static constexpr int kTabled = 4 * kSub;
-    static constexpr auto kReciprocals = [] {
-      std::array<std::int32_t, kTabled> reciprocals{};
-      for (int i = 1; i < kTabled; ++i) reciprocals[i] = static_cast<std::int32_t>((kOne + i / 2) / i);
-      return reciprocals;
-    }();
-    std::int64_t value_;
-  };
-
-  /// A piece of a line inside one row. Whether it falls or rises to the right makes no difference to its
-  /// areas.
-  struct Slice {
-    const Change& change;
-    Ratio height_by_width;
-    int sign;  ///< of the change
-    int row, left, right, height;
-  };
-
-  /// Cuts off what leaves the rows. What lies left of them changes whole rows from the first pixel on; what
-  /// lies right of them changes nothing.
-  void clip(Slice& slice) {
-    if (slice.left < 0) {
-      const int height =
-          slice.right <= 0 ? slice.height : std::min(slice.height, slice.height_by_width.times(-slice.left));
-      sums_[slice.row * stride()] += Model::times(slice.change, slice.sign * 2 * kSub * height);
-      touch(slice.row, 0);
-      slice.height -= height;
-      slice.left = 0;
-      slice.right = std::max(slice.right, 0);
-    }
-    if (slice.right > right_) {
-      const int beyond = slice.right - std::max(slice.left, right_);
-      const int height =
-          slice.left >= right_ ? slice.height : std::min(slice.height, slice.height_by_width.times(beyond));
-      slice.height -= height;
-      slice.right = right_;
-      slice.left = std::min(slice.left, right_);
-    }
-  }
-
-  /// Adds a slice column by column; what a column leaves to the next is carried along.
-  void add_slice(const Slice& slice) {
-    const int first = slice.left >> kSubBits, last = slice.right >> kSubBits;
+  /// What a pixel leaves to the next is carried along.
+  void add_slice(const LineSlicer::Slice& slice, const Change& change) {
     Sums* sums = sums_.data() + slice.row * stride();
     Sums carried{};
-    int x = slice.left - first * kSub, done = 0;
-    for (int column = first; column < last; ++column) {
-      const int total = std::min(slice.height, slice.height_by_width.times((column + 1) * kSub - slice.left));
-      const int height = slice.sign * (total - done), area = (x + kSub) * height;
-      sums[column] += carried + Model::times(slice.change, 2 * kSub * height - area);
-      carried = Model::times(slice.change, area);
-      touch(slice.row, column);
-      x = 0;
-      done = total;
-    }
-    const int height = slice.sign * (slice.height - done), area = (x + slice.right - last * kSub) * height;
-    sums[last] += carried + Model::times(slice.change, 2 * kSub * height - area);
-    touch(slice.row, last);
-    if (area == 0) return;
-    sums[last + 1] += Model::times(slice.change, area);
-    touch(slice.row, last + 1);
+    int end = 0, left = 0;
+    slice.for_each_pixel([&](int column, int height, int area) {
+      sums[column] += carried + Model::times(change, 2 * kRasterSubpixels * height - area);
+      carried = Model::times(change, area);
+      touched_.touch(slice.row, column);
+      end = column + 1;
+      left = area;
+    });
+    if (left == 0) return;
+    sums[end] += carried;
+    touched_.touch(slice.row, end);
   }
 
-  void touch(int row, int column) { touched_[std::size_t(row) * flag_capacity_ + column / kGroup] = 1; }
-
-  int width_ = 0, right_ = 0;
-  int capacity_ = -1, flag_capacity_ = 0;  ///< of the arrays, in pixels and flags a row
-  int top_ = 0, bottom_ = 0;
+  int width_ = 0;
+  int capacity_ = -1;  ///< of the arrays, in pixels a row
+  LineSlicer slicer_;
   std::vector<Sums> sums_;
-  std::vector<std::uint8_t> touched_;  ///< by group of pixels: 1 where one was touched, else 0
+  TouchedGroups touched_;
 };
 
 }  // namespace depixel

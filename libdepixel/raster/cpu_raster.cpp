@@ -35,16 +35,17 @@ void CpuRaster::sort_into_bands(const PlanarMap& map, const OutputGrid& grid, in
   }
 }
 
-template <typename Model>
+template <typename Sums>
 void CpuRaster::draw_band(const PlanarMap& map, const std::vector<Rgba>& colours, const OutputGrid& grid,
-                          int band, BandSums<Model>& sums) const {
+                          int band, Sums& sums) const {
   const Lattice& lattice = map.lattice;
-  const int first_row = band * BandSums<Model>::kRows;
-  const int rows = std::min(BandSums<Model>::kRows, grid.target.height - first_row);
+  const int first_row = band * Sums::kRows;
+  const int rows = std::min(Sums::kRows, grid.target.height - first_row);
+  sums.resize(grid.target.width);
   sums.start(first_row, rows);
   for (int i = first_[band]; i < first_[band + 1]; ++i) {
     const Segment& s = map.segments[order_[i]];
-    const auto change = Model::change(colours[s.right], colours[s.left]);
+    const auto change = Sums::change(colours[s.right], colours[s.left]);
     flatten(grid(s.p0), grid(s.p1), grid(s.p2), grid(s.p3),
             flattening_pieces(s.p0, s.p1, s.p2, s.p3, grid.scale),
             [&](glm::ivec2 a, glm::ivec2 b) { sums.add_line(a.x, a.y, b.x, b.y, change); });
@@ -55,8 +56,8 @@ void CpuRaster::draw_band(const PlanarMap& map, const std::vector<Rgba>& colours
   for (int y = 0; y < lattice.height(); ++y) {
     const int y0 = grid.row(y), y1 = grid.row(y + 1);
     if (y1 <= top || y0 >= bottom) continue;
-    sums.add_line(west, y0, west, y1, Model::change(Rgba{}, colours[lattice.pixel(0, y)]));
-    sums.add_line(east, y0, east, y1, Model::change(colours[lattice.pixel(lattice.width() - 1, y)], Rgba{}));
+    sums.add_line(west, y0, west, y1, Sums::change(Rgba{}, colours[lattice.pixel(0, y)]));
+    sums.add_line(east, y0, east, y1, Sums::change(colours[lattice.pixel(lattice.width() - 1, y)], Rgba{}));
   }
   for (int row = 0; row < rows; ++row) {
     sums.resolve(row, grid.target.pixels + (first_row + row) * grid.target.pitch);
@@ -66,11 +67,19 @@ void CpuRaster::draw_band(const PlanarMap& map, const std::vector<Rgba>& colours
 template <typename Model>
 void CpuRaster::draw_bands(const PlanarMap& map, const std::vector<Rgba>& colours, const OutputGrid& grid,
                            int bands) {
-  auto& sums = std::get<std::vector<BandSums<Model>>>(sums_);
+  auto& sums = std::get<std::vector<RasterSums<Model>>>(sums_);
   const auto threads = static_cast<std::size_t>(workers_.threads());
   if (sums.size() < threads) sums.resize(threads);
-  for (BandSums<Model>& own : sums) own.resize(grid.target.width);
-  workers_.run(bands, [&](int band, int thread) { draw_band(map, colours, grid, band, sums[thread]); });
+  workers_.run(bands, [&](int band, int thread) {
+    const int first_row = band * BandSums<Model>::kRows;
+    const int end_row = std::min(first_row + BandSums<Model>::kRows, grid.target.height);
+    if (map.shading.any && field_.is_shaded(first_row, end_row)) {
+      sums[thread].shaded.shade_by(field_, 0);
+      draw_band(map, colours, grid, band, sums[thread].shaded);
+    } else {
+      draw_band(map, colours, grid, band, sums[thread].even);
+    }
+  });
 }
 
 void CpuRaster::draw(const PlanarMap& map, const View& view, bool linear_light, int threads,
@@ -81,6 +90,7 @@ void CpuRaster::draw(const PlanarMap& map, const View& view, bool linear_light, 
   const int bands = (target.height + BandSums<OpaqueColour>::kRows - 1) / BandSums<OpaqueColour>::kRows;
   sort_into_bands(map, grid, bands);
   const std::vector<Rgba>& colours = colours_.of(map.colours, target.order);
+  if (map.shading.any) field_.start(map.shading, colours, shades_.of(map.shading.shades, target.order), grid);
   if (grid.covers_target() && is_opaque(map.lattice, map.colours)) {
     linear_light ? draw_bands<OpaqueLight>(map, colours, grid, bands)
                  : draw_bands<OpaqueColour>(map, colours, grid, bands);
@@ -91,7 +101,8 @@ void CpuRaster::draw(const PlanarMap& map, const View& view, bool linear_light, 
 }
 
 std::size_t CpuRaster::memory_bytes() const {
-  return held_bytes(ranges_, order_, first_, next_) + colours_.memory_bytes();
+  return held_bytes(ranges_, order_, first_, next_) + colours_.memory_bytes() + shades_.memory_bytes() +
+         field_.memory_bytes();
 }
 
 }  // namespace depixel

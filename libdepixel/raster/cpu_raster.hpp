@@ -8,16 +8,26 @@
 #include "libdepixel/raster/band_sums.hpp"
 #include "libdepixel/raster/ordered_colours.hpp"
 #include "libdepixel/raster/output_grid.hpp"
+#include "libdepixel/raster/region_sums.hpp"
+#include "libdepixel/raster/shade_field.hpp"
 #include "libdepixel/stages/planar_map.hpp"
 
 namespace depixel {
 
-/// Sums for each way to blend, one a thread.
-using BandSumsOfModels =
-    std::tuple<std::vector<BandSums<OpaqueColour>>, std::vector<BandSums<OpaqueLight>>,
-               std::vector<BandSums<Translucent<false>>>, std::vector<BandSums<Translucent<true>>>>;
+/// A thread's sums for one way to blend: of maps without shading, and with.
+template <typename Model>
+struct RasterSums {
+  BandSums<Model> even;
+  RegionSums<Model> shaded;
+};
 
-/// Draws planar maps with exact box-filter anti-aliasing. Sums are integers, so the result is bit-identical
+/// Sums for each way to blend, one a thread.
+using SumsOfModels =
+    std::tuple<std::vector<RasterSums<OpaqueColour>>, std::vector<RasterSums<OpaqueLight>>,
+               std::vector<RasterSums<Translucent<false>>>, std::vector<RasterSums<Translucent<true>>>>;
+
+/// Draws planar maps with exact box-filter anti-aliasing; where they are shaded, each region counts with the
+/// colour that it has at the centre of the output pixel. Sums are integers, so the result is bit-identical
 /// whatever the order of work, the number of threads and the compiler. Keeps its buffers from call to call.
 class CpuRaster {
  public:
@@ -38,17 +48,18 @@ class CpuRaster {
   void sort_into_bands(const PlanarMap& map, const OutputGrid& grid, int bands);
   template <typename Model>
   void draw_bands(const PlanarMap& map, const std::vector<Rgba>& colours, const OutputGrid& grid, int bands);
-  template <typename Model>
+  template <typename Sums>
   void draw_band(const PlanarMap& map, const std::vector<Rgba>& colours, const OutputGrid& grid, int band,
-                 BandSums<Model>& sums) const;
+                 Sums& sums) const;
 
   Workers workers_;
   std::vector<BandRange> ranges_;  ///< by segment
   std::vector<int> order_;         ///< segments, band after band
   std::vector<int> first_;         ///< of each band in order_, and the end
   std::vector<int> next_;
-  OrderedColours colours_;
-  BandSumsOfModels sums_;
+  OrderedColours colours_, shades_;
+  ShadeField field_;
+  SumsOfModels sums_;
 };
 
 }  // namespace depixel

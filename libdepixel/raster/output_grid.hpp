@@ -19,6 +19,12 @@ class ToOutput {
         offset_(std::llround(-origin * scale * kRasterSubpixels) * kOne + kOne / 2) {}
   int operator()(int subpixels) const { return static_cast<int>((subpixels * factor_ + offset_) >> kBits); }
 
+  /// The subpixel of the source that lies under one of the output.
+  std::int64_t source(int output_subpixels) const {
+    const std::int64_t to = output_subpixels * kOne - (offset_ - kOne / 2);
+    return to >= 0 ? to / factor_ : (to + 1) / factor_ - 1;
+  }
+
   /// Output pixels to a source pixel if these are whole and begin on whole output pixels, else 0: then all
   /// that moves by source pixels moves by whole output pixels, to the bit.
   int whole_scale() const {

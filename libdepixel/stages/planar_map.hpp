@@ -4,6 +4,7 @@
 
 #include "libdepixel/core/memory.hpp"
 #include "libdepixel/stages/edge_map.hpp"
+#include "libdepixel/stages/shading.hpp"
 
 namespace depixel {
 
@@ -25,13 +26,14 @@ struct PlanarMap {
   Lattice lattice;
   std::vector<Rgba> colours;  ///< padded, by pixel: the colour of the region that holds the pixel
   std::vector<Segment> segments;
+  Shading shading;  ///< how colours run inside the regions
 
   Rgba left_colour(const Segment& s) const { return colours[s.left]; }
   Rgba right_colour(const Segment& s) const { return colours[s.right]; }
 
   friend bool operator==(const PlanarMap&, const PlanarMap&) = default;
 
-  std::size_t memory_bytes() const { return held_bytes(colours, segments); }
+  std::size_t memory_bytes() const { return held_bytes(colours, segments) + shading.memory_bytes(); }
 };
 
 /// True where no pixel of a frame lets anything through.
@@ -60,6 +62,7 @@ inline Segment segment_of(const EdgeCurve& curve, glm::ivec2 corner_position, in
 
 /// Writes a map out (stage 6 of 6).
 /// \param colours  of the cells, padded.
+/// The map's shading stays as it is.
 /// Cost: linear in corners. Source: Schapfel, section 4.5.
 void build_planar_map(const EdgeMap& edges, const SplineTable& table, const std::vector<Rgba>& colours,
                       PlanarMap& map);

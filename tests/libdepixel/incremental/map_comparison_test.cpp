@@ -126,6 +126,7 @@ RC_GTEST_PROP(MapComparison, MovesNeedNotBeRight, (const Sequence& sequence)) {
   EdgeMap edges_before;
   std::vector<CornerCode> codes_before;
   std::vector<Rgba> colours_before;
+  Shading shading_before;
   std::vector<TileContent> before;
   for (const SequenceFrame& frame : sequence.frames) {
     vectorizer.vectorize(frame.picture.view(), frame.options);
@@ -142,7 +143,9 @@ RC_GTEST_PROP(MapComparison, MovesNeedNotBeRight, (const Sequence& sequence)) {
                          vectorizer.cells().corners,
                          codes_before,
                          vectorizer.colours(),
-                         colours_before};
+                         colours_before,
+                         vectorizer.shading(),
+                         shading_before};
       std::vector<SetCurve> set;
       for (int y = 0; y <= lattice.height(); ++y) {
         for (int x = 0; x <= lattice.width(); ++x) {
@@ -167,6 +170,7 @@ RC_GTEST_PROP(MapComparison, MovesNeedNotBeRight, (const Sequence& sequence)) {
     edges_before = vectorizer.edges();
     codes_before = vectorizer.cells().corners;
     colours_before = vectorizer.colours();
+    shading_before = vectorizer.shading();
     before = now;
   }
 }
