@@ -114,11 +114,11 @@ class GlFilter final : public FrameFilter {
  private:
   /// Cuts tiles of the map and sends them: those that changed, or all where the scale is new.
   tl::expected<void, Error> prepare(glm::dvec2 scale) {
-    const bool is_cut = !changes_.any() && updater_.is_for(scale, options_.linear_light);
+    const bool is_cut = !changes_.any() && updater_.is_for(scale, encoding());
     if (is_cut && is_uploaded_) return {};
     const Stopwatch time(stats_.prepare_ns);
     if (!is_cut) {
-      updater_.update(vectorizer_, changes_, scale, options_.linear_light);
+      updater_.update(vectorizer_, changes_, scale, encoding());
       add_stale_rows();
       changes_.set_nothing();
       if (!raster_->has_room_for(updater_.tiles())) updater_.compact();
@@ -128,12 +128,28 @@ class GlFilter final : public FrameFilter {
     if (!bytes) return tl::unexpected(bytes.error());
     stats_.lines = static_cast<std::int64_t>(updater_.tiles().used_lines());
     stats_.upload_bytes = *bytes;
+    return style().is_shaded ? send_shading() : tl::expected<void, Error>{};
+  }
+
+  tl::expected<void, Error> send_shading() {
+    const auto bytes =
+        raster_->upload_shading(vectorizer_.shading(), vectorizer_.colours(), vectorizer_.lattice());
+    is_uploaded_ = bytes.has_value();
+    if (!bytes) return tl::unexpected(bytes.error());
+    stats_.upload_bytes += *bytes;
     return {};
+  }
+
+  GlRaster::Style style() const { return {options_.linear_light, options_.has_shading()}; }
+
+  TileEncoding encoding() const {
+    if (options_.has_shading()) return TileEncoding::regions;
+    return options_.linear_light ? TileEncoding::light : TileEncoding::levels;
   }
 
   tl::expected<void, Error> compare_with_scratch(glm::dvec2 scale) const {
     LineTiles scratch;
-    scratch.build(vectorizer_.map(), scale, options_.linear_light);
+    scratch.build(vectorizer_.map(), scale, encoding());
     if (scratch == updater_.tiles()) return {};
     return tl::unexpected(Error{"The tiles that were cut incrementally are not those cut from scratch."});
   }
@@ -141,7 +157,7 @@ class GlFilter final : public FrameFilter {
   tl::expected<void, Error> draw_to(const GlFramebuffer& framebuffer, const Viewport& viewport,
                                     const View& view) {
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.name);
-    raster_->draw(viewport, view, options_.linear_light);
+    raster_->draw(viewport, view, style());
     return {};
   }
 
@@ -177,7 +193,7 @@ class GlFilter final : public FrameFilter {
       for (int first = rows.first; first < rows.end; first += band) {
         const Readback::Rows some{first, std::min(first + band, rows.end)};
         Readback::restrict_to(gl_, part, some);
-        raster_->draw({0, 0, part.width, part.height}, view, options_.linear_light);
+        raster_->draw({0, 0, part.width, part.height}, view, style());
         readback_.request(gl_, part, some);
       }
       gl_.Disable(GL_SCISSOR_TEST);

@@ -125,7 +125,7 @@ constexpr std::array kBindings{
     KeyBinding{{'6', 0}, "6", "step: curves", show_stage<6>},
     KeyBinding{{'7', 0}, "7", "step: smoothed curves", show_stage<7>},
     KeyBinding{{'8', 0}, "8", "step: components", show_stage<8>},
-    KeyBinding{{'9', 0}, "9", "", show_stage<8>},
+    KeyBinding{{'9', 0}, "9", "step: shaded components", show_stage<9>},
     KeyBinding{{'+', 0}, "+", "nearer (or the wheel)", zoom_in},
     KeyBinding{{'=', 0}, "=", "", zoom_in},
     KeyBinding{{'-', 0}, "-", "farther", zoom_out},

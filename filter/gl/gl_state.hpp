@@ -15,7 +15,7 @@ class GlStateGuard {
   GlStateGuard& operator=(const GlStateGuard&) = delete;
   ~GlStateGuard();
 
-  static constexpr int kUnits = 2;  ///< texture units that the filter uses, from 0 on
+  static constexpr int kUnits = 3;  ///< texture units that the filter uses, from 0 on
 
  private:
   static constexpr std::size_t kSwitchCount = 12;

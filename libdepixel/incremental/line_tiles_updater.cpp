@@ -26,17 +26,17 @@ TileBox united(const TileBox& a, const TileBox& b) {
 }  // namespace
 
 void LineTilesUpdater::update(const IncrementalVectorizer& source, const MapChanges& changes,
-                              glm::dvec2 scale, bool linear_light) {
+                              glm::dvec2 scale, TileEncoding encoding) {
   const Lattice& lattice = source.lattice();
-  is_all_new_ = changes.everything || !is_for(scale, linear_light) || lattice != lattice_ ||
+  is_all_new_ = changes.everything || !is_for(scale, encoding) || lattice != lattice_ ||
                 changes.new_tiles > kMostNew * lattice.width() * lattice.height();
   lattice_ = lattice;
   scale_ = scale;
-  linear_light_ = linear_light;
+  encoding_ = encoding;
   new_boxes_.clear();
   first_new_line_ = is_all_new_ ? 0 : tiles_.lines().size();
   if (is_all_new_) {
-    tiles_.build(source.map(), scale, linear_light);
+    tiles_.build(source.map(), scale, encoding);
     return;
   }
   if (!changes.any()) return;

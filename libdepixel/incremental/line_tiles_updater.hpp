@@ -19,16 +19,16 @@ namespace depixel {
 class LineTilesUpdater {
  public:
   /// \param changes  all since the last call.
-  /// Where scale or light are others than in the last call, or most tiles changed, all tiles are cut.
+  /// Where scale or encoding are others than in the last call, or most tiles changed, all tiles are cut.
   void update(const IncrementalVectorizer& source, const MapChanges& changes, glm::dvec2 scale,
-              bool linear_light);
+              TileEncoding encoding);
 
   /// Moves lines together, so that there are no more than need be. All records are new then.
   void compact();
 
   /// Whether the tiles were cut for a scale and a way to blend.
-  bool is_for(glm::dvec2 scale, bool linear_light) const {
-    return scale_ == scale && linear_light_ == linear_light;
+  bool is_for(glm::dvec2 scale, TileEncoding encoding) const {
+    return scale_ == scale && encoding_ == encoding;
   }
   const LineTiles& tiles() const { return tiles_; }
 
@@ -47,7 +47,7 @@ class LineTilesUpdater {
   LineTiles tiles_;
   Lattice lattice_;
   glm::dvec2 scale_{0};
-  bool linear_light_ = false;
+  TileEncoding encoding_ = TileEncoding::levels;
   bool is_all_new_ = true;
   std::vector<TileBox> new_boxes_;
   std::size_t first_new_line_ = 0;

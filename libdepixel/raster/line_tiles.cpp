@@ -13,7 +13,12 @@ namespace {
 constexpr int kShift = std::countr_zero(static_cast<unsigned>(kTileUnits));
 constexpr int kUnitsToSubpixel = kTileUnits / kSubpixels;
 
-TileColour encode(Rgba c, bool linear_light) {
+TileColour encode(Rgba c, TileEncoding encoding) {
+  if (encoding == TileEncoding::regions) {
+    const auto halves = std::bit_cast<std::array<std::int16_t, 2>>(c);
+    return {halves[0], halves[1], 0, 0};
+  }
+  const bool linear_light = encoding == TileEncoding::light;
   const auto channel = [&](std::uint8_t level) {
     const int full =
         linear_light ? kTileLightLevels / kLightLevels * to_light(level) : kTileLevels / 255 * level;
@@ -53,7 +58,9 @@ class LineTiles::Cutter {
   explicit Cutter(LineTiles& tiles) : tiles_(tiles) {}
 
   void cut(const Segment& s, Rgba left, Rgba right) {
-    change_ = difference(encode(left, tiles_.linear_light_), encode(right, tiles_.linear_light_));
+    const TileColour to = encode(left, tiles_.encoding_), from = encode(right, tiles_.encoding_);
+    change_ = difference(to, from);
+    told_ = tiles_.encoding_ == TileEncoding::regions ? TileColour{to[0], to[1], from[0], from[1]} : change_;
     const int pieces = flattening_pieces(s.p0, s.p1, s.p2, s.p3, tiles_.scale_);
     flatten(s.p0 * kUnitsToSubpixel, s.p1 * kUnitsToSubpixel, s.p2 * kUnitsToSubpixel,
             s.p3 * kUnitsToSubpixel, pieces, [&](glm::ivec2 a, glm::ivec2 b) { add(a, b); });
@@ -118,19 +125,19 @@ class LineTiles::Cutter {
     if (a.y == b.y && a.x != 0 && b.x != 0) return;
     const auto narrow = [](int v) { return static_cast<std::uint16_t>(v); };
     ++tiles_.tiles_[tile].count;
-    tiles_.found_.push_back({tile, {narrow(a.x), narrow(a.y), narrow(b.x), narrow(b.y), change_}});
+    tiles_.found_.push_back({tile, {narrow(a.x), narrow(a.y), narrow(b.x), narrow(b.y), told_}});
   }
 
   LineTiles& tiles_;
-  TileColour change_{};
+  TileColour change_{}, told_{};  ///< the second is what lines are told
 };
 
-void LineTiles::build(const PlanarMap& map, glm::dvec2 scale, bool linear_light) {
+void LineTiles::build(const PlanarMap& map, glm::dvec2 scale, TileEncoding encoding) {
   const Lattice& lattice = map.lattice;
   width_ = lattice.width();
   height_ = lattice.height();
   scale_ = scale;
-  linear_light_ = linear_light;
+  encoding_ = encoding;
   tiles_.assign(std::size_t(width_) * height_, Tile{});
   is_stale_.assign(tiles_.size(), 1);
   found_.clear();
@@ -209,7 +216,7 @@ void LineTiles::settle(const Lattice& lattice, const std::vector<Rgba>& colours,
   auto next = static_cast<std::uint32_t>(first_line);
   for (int y = 0, row = 0; y < height_; ++y, row += width_) {
     if (are_zero(is_stale_.data() + row, width_)) continue;
-    TileColour colour = encode(colours[lattice.pixel(0, y)], linear_light_);
+    TileColour colour = encode(colours[lattice.pixel(0, y)], encoding_);
     for (int i = row; i < row + width_; ++i) {
       Tile& tile = tiles_[i];
       colour = is_stale_[i] != 0 ? sum(colour, tile.colour) : tile.colour;

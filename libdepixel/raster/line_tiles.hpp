@@ -17,10 +17,16 @@ using TileColour = std::array<std::int16_t, 4>;
 /// Full strength: of colours as they are, 128 times 255; in linear light, 4 times kLightLevels.
 constexpr int kTileLevels = 32640, kTileLightLevels = 32764;
 
+/// What tiles know of colours: the colours, as they are or in linear light; or, for shaded maps, which region
+/// it is, by its colour on the map. A region is two channels, its colour's four bytes; a line then has the
+/// region on its left and the one on its right.
+enum class TileEncoding { levels, light, regions };
+
 /// A line inside a tile. Coordinates are 0..kTileUnits from the tile's top left.
 struct TileLine {
   std::uint16_t x0, y0, x1, y1;
-  TileColour change;  ///< from the colour on its right to the colour on its left, seen along the line
+  TileColour change;  ///< from the colour on its right to the colour on its left, seen along the line; or
+                      ///< both regions
 
   friend bool operator==(const TileLine&, const TileLine&) = default;
 };
@@ -45,7 +51,7 @@ class LineTiles {
   /// Cuts a map.
   /// \param scale  output pixels to a source pixel, by axis.
   /// Cost: linear in pixels and segments.
-  void build(const PlanarMap& map, glm::dvec2 scale, bool linear_light);
+  void build(const PlanarMap& map, glm::dvec2 scale, TileEncoding encoding);
 
   /// What is in a tile after update(): what was in it; what is cut for it; or, from kMoved on, what was in
   /// the tile that lies by -moves[fate - kMoved] from it.
@@ -88,7 +94,7 @@ class LineTiles {
 
   int width_ = 0, height_ = 0;
   glm::dvec2 scale_{0};
-  bool linear_light_ = false;
+  TileEncoding encoding_ = TileEncoding::levels;
   std::vector<Tile> tiles_, tiles_before_;
   std::vector<TileLine> lines_, spare_;
   std::size_t used_lines_ = 0;

@@ -53,6 +53,7 @@ class ShadingBuilder {
       : graph_(graph),
         cells_(cells),
         softness_(std::llround(options.soft_contours * kYuvUnits)),
+        kind_(options.shading),
         is_merged_(options.has_whole_components()),
         is_blurred_(options.shading == ShadingKind::blur),
         has_own_shades_(options.shading != ShadingKind::none),
@@ -62,6 +63,7 @@ class ShadingBuilder {
 
   void build() {
     const Lattice& lattice = graph_.lattice;
+    shading_.kind = kind_;
     shading_.shades = has_own_shades_ ? graph_.pixels : cells_.colours;
     shading_.blocks.assign(lattice.size(), 0);
     for_each_block([&](int x, int y, std::uint8_t& block) {
@@ -178,6 +180,7 @@ class ShadingBuilder {
   const SimilarityGraph& graph_;
   const CellGraph& cells_;
   std::int64_t softness_;  ///< in 1/1000 of a level
+  ShadingKind kind_;
   bool is_merged_, is_blurred_, has_own_shades_;
   Shading& shading_;
   std::vector<Rgba>& sharp_;

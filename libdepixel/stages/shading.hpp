@@ -30,7 +30,8 @@ struct Shading {
   /// A block's pairs, and whether any of its pixels is shaded.
   static constexpr std::uint8_t kShaded = 64;
 
-  bool any = false;          ///< some block is shaded
+  ShadingKind kind = ShadingKind::none;  ///< as asked for; pixels do not depend on it, vector files do
+  bool any = false;                      ///< some block is shaded
   std::vector<Rgba> shades;  ///< padded, by pixel: its colour at its centre; empty where nothing is shaded
   std::vector<std::uint8_t>
       blocks;  ///< padded, by block: kShaded and its pairs, or 0: all regions have their colour
@@ -38,7 +39,7 @@ struct Shading {
   std::vector<Rgba> sharp;  ///< scratch: shades before they are blurred
 
   friend bool operator==(const Shading& a, const Shading& b) {
-    return a.any == b.any && a.shades == b.shades && a.blocks == b.blocks;
+    return a.kind == b.kind && a.any == b.any && a.shades == b.shades && a.blocks == b.blocks;
   }
 
   std::size_t memory_bytes() const { return held_bytes(shades, blocks, sharp); }

@@ -1,5 +1,7 @@
 #include "libdepixel/svg/svg_writer.hpp"
 
+#include "libdepixel/svg/svg_shading.hpp"
+
 namespace depixel {
 namespace {
 
@@ -31,15 +33,15 @@ void append_components(const PlanarMap& map, const SimilarityGraph& graph, SvgDo
       colour[components.label[i]] = map.colours[i];
     }
   }
-  std::string data;
+  std::vector<std::string> data(components.count);
   for (int c = 0; c < components.count; ++c) {
-    data.clear();
-    SvgPathData path(data);
+    SvgPathData path(data[c]);
     for (int i = outlines.first_loop[c]; i < outlines.first_loop[c + 1]; ++i) {
       append_loop(outlines, outlines.loops[i], path);
     }
-    document.add_shape(colour[c], data);
+    document.add_shape(colour[c], data[c]);
   }
+  append_svg_shading(map, components, data, document.overlay());
 }
 
 std::string write_svg(const PlanarMap& map, const SimilarityGraph& graph) {

@@ -6,9 +6,9 @@
 namespace depixel {
 namespace {
 
-constexpr std::array<std::string_view, 9> kNames{"bitmap",     "similarity", "cells",
-                                                 "simplified", "contours",   "polygons",
-                                                 "curves",     "smoothed",   "components"};
+constexpr std::array<std::string_view, 10> kNames{"bitmap",     "similarity", "cells",  "simplified",
+                                                  "contours",   "polygons",   "curves", "smoothed",
+                                                  "components", "shaded"};
 
 /// Line widths and radii, in source pixels.
 constexpr float kHairline = 0.04f, kThin = 0.07f, kThick = 0.15f, kDot = 0.11f, kRing = 0.4f;
@@ -67,6 +67,10 @@ class Drawer {
       case StageView::curves:
       case StageView::components:
         return fill_components();
+      case StageView::shaded:
+        fill_components();
+        drawing_.fill.shading = stages_.map().shading;
+        return;
       case StageView::smoothed:
         fill_components();
         fade();
@@ -82,6 +86,7 @@ class Drawer {
   void fill_components() {
     drawing_.graph = stages_.graph();
     drawing_.fill = stages_.map();
+    drawing_.fill.shading = {};
   }
 
   void fill_cells(CellShape shape) {
@@ -230,6 +235,7 @@ void make_stage_drawing(StageView view, const FrameView& frame, const Options& o
                         Vectorizer& vectorizer, StageDrawing& drawing) {
   Options used = options;
   if (view == StageView::curves) used.smoothing = Smoothing::none;
+  if (view == StageView::shaded && used.shading == ShadingKind::none) used.shading = ShadingKind::gradient;
   vectorizer.vectorize(frame, used);
   drawing.cells.reset();
   drawing.linear_light = options.linear_light;

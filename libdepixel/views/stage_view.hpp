@@ -24,7 +24,8 @@ enum class StageView {
   polygons,    ///< components as polygonal paths
   curves,      ///< components as curved paths, without smoothing
   smoothed,    ///< the smoothed curves as lines, with their knots and Bezier control points
-  components   ///< the final picture
+  components,  ///< each component in one colour
+  shaded       ///< the same with shadings: by gradients, where the options have none
 };
 
 /// Names as on the command line; names[i] stands for enumerator i.

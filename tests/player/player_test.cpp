@@ -107,16 +107,16 @@ TEST(Player, KeysShowTheStepsOfTheCommandLine) {
   std::vector<Picture> shown;
   for (int key = 0; key <= 9; ++key)
     shown.push_back(decoded(read_text(folder / ("in_" + std::to_string(key + 2) + ".png"))));
-  for (int key = 0; key <= 8; ++key) {
+  for (int key = 0; key <= 9; ++key) {
     const std::string name(stage_view_names()[static_cast<std::size_t>(key)]);
     ASSERT_EQ(
         run_depixel({folder / "in.png", "-o", folder / "stage.png", "--stage", name, "--size", "400x300"})
             .exit_code,
         0);
     EXPECT_TRUE(equal(shown[key], decoded(read_text(folder / "stage.png")))) << name;
-    for (int other = 0; other < key; ++other) EXPECT_FALSE(equal(shown[key], shown[other])) << key << other;
+    for (int other = 0; other < std::min(key, 9); ++other)
+      EXPECT_FALSE(equal(shown[key], shown[other])) << key << other;
   }
-  EXPECT_TRUE(equal(shown[8], shown[9]));
 }
 
 TEST(Player, ScreenshotsEqualTheWindow) {

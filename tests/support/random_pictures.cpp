@@ -124,6 +124,8 @@ rc::Gen<Options> random_options() {
                                  rc::gen::set(&Options::connect_lines, rc::gen::arbitrary<bool>()),
                                  rc::gen::set(&Options::spline, random_enum<SplineKind>(3)),
                                  rc::gen::set(&Options::smoothing, random_enum<Smoothing>(3)),
+                                 rc::gen::set(&Options::shading, random_enum<ShadingKind>(3)),
+                                 rc::gen::set(&Options::soft_contours, rc::gen::element(0.0, 0.0, 30.0)),
                                  rc::gen::set(&Options::linear_light, rc::gen::arbitrary<bool>()),
                                  rc::gen::set(&Options::threads, rc::gen::element(1, 2, 3, 4)));
 }

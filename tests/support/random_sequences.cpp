@@ -252,10 +252,13 @@ void print(std::ostream& out, const Options& options) {
   constexpr std::array<std::string_view, 2> kSimilarities{"exact", "merge"};
   constexpr std::array<std::string_view, 3> kSplines{"adaptive", "approximate", "interpolate"};
   constexpr std::array<std::string_view, 3> kSmoothings{"energy", "average", "none"};
+  constexpr std::array<std::string_view, 3> kShadings{"none", "gradient", "blur"};
   out << "{.similarity = Similarity::" << kSimilarities[static_cast<int>(options.similarity)]
       << ", .connect_lines = " << name_of(options.connect_lines)
       << ", .spline = SplineKind::" << kSplines[static_cast<int>(options.spline)]
       << ", .smoothing = Smoothing::" << kSmoothings[static_cast<int>(options.smoothing)]
+      << ", .shading = ShadingKind::" << kShadings[static_cast<int>(options.shading)]
+      << ", .soft_contours = " << options.soft_contours
       << ", .linear_light = " << name_of(options.linear_light) << ", .threads = " << options.threads << '}';
 }
 

@@ -132,7 +132,7 @@ SvgPath parse_path_data(std::string_view data) {
 
 std::vector<SvgPath> filled_paths(const pugi::xml_document& document) {
   std::vector<SvgPath> paths;
-  for (const pugi::xpath_node& found : document.select_nodes("//path[@fill!='none']")) {
+  for (const pugi::xpath_node& found : document.select_nodes("//path[@fill!='none'][not(ancestor::*[@id='shading'])]")) {
     const pugi::xml_node node = found.node();
     SvgPath path = parse_path_data(node.attribute("d").value());
     path.fill = node.attribute("fill").value();

@@ -36,7 +36,7 @@ struct SvgPath {
 /// else.
 SvgPath parse_path_data(std::string_view data);
 
-/// All filled paths of a document.
+/// All filled paths of a document, but for those of its shading.
 std::vector<SvgPath> filled_paths(const pugi::xml_document& document);
 
 /// Draws an SVG document with rsvg-convert, stretched to a size; an empty picture if that fails.

@@ -60,9 +60,9 @@ class Records {
   std::int64_t copied_tiles_ = 0;
 };
 
-LineTiles cut(const IncrementalVectorizer& vectorizer, glm::dvec2 scale, bool linear_light) {
+LineTiles cut(const IncrementalVectorizer& vectorizer, glm::dvec2 scale, TileEncoding encoding) {
   LineTiles tiles;
-  tiles.build(vectorizer.map(), scale, linear_light);
+  tiles.build(vectorizer.map(), scale, encoding);
   return tiles;
 }
 
@@ -89,11 +89,13 @@ RC_GTEST_PROP(LineTilesUpdater, TilesAreThoseCutFromScratch, (const Sequence& se
     changes.add(vectorizer.changes());
     if (*rc::gen::inRange(0, 4) == 0) continue;  // several frames between two updates
     if (*rc::gen::inRange(0, 8) == 0) scale = {*rc::gen::element(0.5, 2.7, 16.0), 2};
-    const bool linear_light = frame.options.linear_light;
-    updater.update(vectorizer, changes, scale, linear_light);
+    const auto encoding = frame.options.has_shading()  ? TileEncoding::regions
+                          : frame.options.linear_light ? TileEncoding::light
+                                                       : TileEncoding::levels;
+    updater.update(vectorizer, changes, scale, encoding);
     changes.set_nothing();
     records.copy_new(updater);
-    const LineTiles scratch = cut(vectorizer, scale, linear_light);
+    const LineTiles scratch = cut(vectorizer, scale, encoding);
     RC_ASSERT(records.mismatch(scratch) == "");
     RC_ASSERT(updater.tiles() == scratch);
     std::size_t lines = 0;
@@ -109,7 +111,7 @@ TEST(LineTilesUpdater, WritesNothingWhereNothingChanged) {
   LineTilesUpdater updater;
   for (const bool is_first : {true, false}) {
     vectorizer.vectorize(picture.view(), {});
-    updater.update(vectorizer, vectorizer.changes(), {3, 3}, false);
+    updater.update(vectorizer, vectorizer.changes(), {3, 3}, TileEncoding::levels);
     EXPECT_EQ(updater.is_all_new(), is_first);
   }
   EXPECT_TRUE(updater.new_boxes().empty());
@@ -124,7 +126,7 @@ TEST(LineTilesUpdater, WritesLittleWhereLittleChanged) {
   for (const Rgba colour : {palette_colour('b'), palette_colour('4')}) {
     picture.at(50, 40) = picture.at(10, 70) = colour;
     vectorizer.vectorize(picture.view(), {});
-    updater.update(vectorizer, vectorizer.changes(), {3, 3}, false);
+    updater.update(vectorizer, vectorizer.changes(), {3, 3}, TileEncoding::levels);
     records.copy_new(updater);
   }
   EXPECT_FALSE(updater.is_all_new());
@@ -141,12 +143,12 @@ TEST(LineTilesUpdater, CutsOnlyWhatComesIntoViewOfWhatScrolls) {
     Picture seen(120, 60);
     paste(seen, world, -x, 0);
     vectorizer.vectorize(seen.view(), {});
-    updater.update(vectorizer, vectorizer.changes(), {4, 4}, false);
+    updater.update(vectorizer, vectorizer.changes(), {4, 4}, TileEncoding::levels);
     ASSERT_EQ(updater.is_all_new(), x == 0);
     if (x == 0) continue;
     const std::size_t lines = updater.tiles().lines().size() - updater.first_new_line();
     EXPECT_LT(10 * lines, updater.tiles().used_lines());
-    EXPECT_TRUE(updater.tiles() == cut(vectorizer, {4, 4}, false));
+    EXPECT_TRUE(updater.tiles() == cut(vectorizer, {4, 4}, TileEncoding::levels));
   }
 }
 
@@ -155,19 +157,20 @@ TEST(LineTilesUpdater, CutsAllForAnotherScaleOrLight) {
   IncrementalVectorizer vectorizer;
   vectorizer.vectorize(picture.view(), {});
   LineTilesUpdater updater;
-  updater.update(vectorizer, vectorizer.changes(), {3, 3}, false);
+  updater.update(vectorizer, vectorizer.changes(), {3, 3}, TileEncoding::levels);
   vectorizer.vectorize(picture.view(), {});
   const MapChanges& nothing = vectorizer.changes();
   ASSERT_FALSE(nothing.any());
-  const auto expect_all_cut = [&](glm::dvec2 scale, bool linear_light) {
-    EXPECT_FALSE(updater.is_for(scale, linear_light));
-    updater.update(vectorizer, nothing, scale, linear_light);
+  const auto expect_all_cut = [&](glm::dvec2 scale, TileEncoding encoding) {
+    EXPECT_FALSE(updater.is_for(scale, encoding));
+    updater.update(vectorizer, nothing, scale, encoding);
     EXPECT_TRUE(updater.is_all_new());
-    EXPECT_TRUE(updater.is_for(scale, linear_light));
-    EXPECT_TRUE(updater.tiles() == cut(vectorizer, scale, linear_light));
+    EXPECT_TRUE(updater.is_for(scale, encoding));
+    EXPECT_TRUE(updater.tiles() == cut(vectorizer, scale, encoding));
   };
-  expect_all_cut({3, 4}, false);
-  expect_all_cut({3, 4}, true);
+  expect_all_cut({3, 4}, TileEncoding::levels);
+  expect_all_cut({3, 4}, TileEncoding::light);
+  expect_all_cut({3, 4}, TileEncoding::regions);
 }
 
 TEST(LineTilesUpdater, LinesThatAreNobodysAreDropped) {
@@ -178,11 +181,11 @@ TEST(LineTilesUpdater, LinesThatAreNobodysAreDropped) {
   for (int frame = 0; frame < 60; ++frame) {
     paste(picture, Picture(8, 8, palette_colour(frame % 2 == 0 ? 'b' : '4')), frame % 10 * 5, frame % 7 * 4);
     vectorizer.vectorize(picture.view(), {});
-    updater.update(vectorizer, vectorizer.changes(), {3, 3}, false);
+    updater.update(vectorizer, vectorizer.changes(), {3, 3}, TileEncoding::levels);
     EXPECT_LE(updater.tiles().lines().size(), 2 * updater.tiles().used_lines());
     if (frame == 0 || !updater.is_all_new()) continue;
     ++compactions;
-    EXPECT_EQ(updater.tiles().lines(), cut(vectorizer, {3, 3}, false).lines());
+    EXPECT_EQ(updater.tiles().lines(), cut(vectorizer, {3, 3}, TileEncoding::levels).lines());
   }
   EXPECT_GT(compactions, 0);
   EXPECT_LT(compactions, 20);

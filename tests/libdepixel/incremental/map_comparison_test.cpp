@@ -27,6 +27,8 @@ struct CurveInTile {
 struct TileContent {
   std::uint32_t colour = 0;
   std::vector<CurveInTile> curves;  ///< sorted
+  std::vector<std::uint32_t>
+      shading;  ///< of the blocks round it, and if they have any, of the pixels round it
 
   friend bool operator==(const TileContent&, const TileContent&) = default;
 };
@@ -36,6 +38,31 @@ glm::ivec2 point_of(const Segment& s, int numerator, int denominator) {
   const glm::dvec2 p = u * u * u * glm::dvec2(s.p0) + 3 * u * u * t * glm::dvec2(s.p1) +
                        3 * u * t * t * glm::dvec2(s.p2) + t * t * t * glm::dvec2(s.p3);
   return {static_cast<int>(std::floor(p.x + 0.5)), static_cast<int>(std::floor(p.y + 0.5))};
+}
+
+/// What tiles are shaded by: all that lies round them.
+void add_shading(const PlanarMap& map, std::vector<TileContent>& contents) {
+  const Lattice& lattice = map.lattice;
+  const int stride = lattice.stride();
+  for (int y = 0; y < lattice.height(); ++y) {
+    for (int x = 0; x < lattice.width(); ++x) {
+      const int tile = lattice.pixel(x, y);
+      std::vector<std::uint32_t>& shading = contents[tile].shading;
+      for (const int block : {tile - stride - 1, tile - stride, tile - 1, tile})
+        shading.push_back(map.shading.blocks[block]);
+      if (std::count(shading.begin(), shading.end(), 0U) == 4) {
+        shading.clear();
+        continue;
+      }
+      for (const int row : {-stride, 0, stride}) {
+        for (const int column : {-1, 0, 1}) {
+          const int pixel = tile + row + column;
+          shading.push_back(rgba_order(map.colours[pixel]));
+          shading.push_back(rgba_order(map.shading.shades[pixel]));
+        }
+      }
+    }
+  }
 }
 
 /// All tiles of a map, padded, by walking along its curves: slow and simple.
@@ -65,6 +92,7 @@ std::vector<TileContent> contents_of(const PlanarMap& map) {
     }
   }
   for (TileContent& content : contents) std::sort(content.curves.begin(), content.curves.end());
+  if (map.shading.any) add_shading(map, contents);
   return contents;
 }
 static_assert(kSubpixels == 1 << 12);

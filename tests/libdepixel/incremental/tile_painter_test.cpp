@@ -25,7 +25,9 @@ std::int64_t draw(TilePainter& painter, const IncrementalVectorizer& source, con
 }
 
 RC_GTEST_PROP(TilePainter, TilesAreThoseDrawnFromScratch, (const Picture& picture)) {
-  const Options options = *random_options();
+  Options options = *random_options();
+  options.shading = ShadingKind::none;  // shaded tiles are not its business
+  options.soft_contours = 0;
   const double scale_x = *rc::gen::element(4, 4, 6, 8, 16), scale_y = *rc::gen::element(4, 4, 6, 8, 10);
   const glm::ivec2 origin(number(0, 2), number(0, 2)), beyond(number(0, 9), number(0, 9));
   const View view{scale_x, scale_y, -double(origin.x), -double(origin.y)};

@@ -222,7 +222,8 @@ RC_GTEST_PROP(CpuRaster, StraightLinesEqualSamples, (const Picture& picture)) {
 RC_GTEST_PROP(CpuRaster, CurvesEqualSamples, (const Picture& picture)) {
   const View view = *random_view();
   const Options options = *random_options();
-  const PlanarMap map = vectorized(picture, options);
+  PlanarMap map = vectorized(picture, options);
+  map.shading = {};
   const Picture drawn = draw(map, view, 37, 29, options.linear_light);
   const SampleDifference difference = difference_from_samples(drawn, map, view, options.linear_light);
   const double lines_in_a_pixel = std::max(1.0, 2 / std::min(view.scale_x, view.scale_y));

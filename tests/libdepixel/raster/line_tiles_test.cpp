@@ -54,7 +54,8 @@ glm::dvec4 mean_of_pixel(const LineTiles& tiles, int scale, int x, int y) {
 LineTiles cut(const Picture& picture, const Options& options, double scale) {
   Vectorizer vectorizer;
   LineTiles tiles;
-  tiles.build(vectorizer.vectorize(picture.view(), options), {scale, scale}, options.linear_light);
+  tiles.build(vectorizer.vectorize(picture.view(), options), {scale, scale},
+              options.linear_light ? TileEncoding::light : TileEncoding::levels);
   return tiles;
 }
 
@@ -91,7 +92,7 @@ RC_GTEST_PROP(LineTiles, PixelsHaveTheMeanOfTheMap, ()) {
   Vectorizer vectorizer;
   LineTiles tiles;
   const double out = scale;
-  tiles.build(vectorizer.vectorize(picture.view(), *random_options()), {out, out}, false);
+  tiles.build(vectorizer.vectorize(picture.view(), *random_options()), {out, out}, TileEncoding::levels);
   const int width = picture.width * scale, height = picture.height * scale;
   const auto expected = sampled(vectorizer.map(), {out, out, 0, 0}, false, width, height);
   for (int y = 0; y < height; ++y) {
@@ -106,10 +107,10 @@ RC_GTEST_PROP(LineTiles, BuffersLeaveNoTrace, ()) {
   const Picture first = *random_picture({}), second = *random_picture({});
   Vectorizer vectorizer;
   LineTiles warm;
-  warm.build(vectorizer.vectorize(first.view(), {}), {3, 3}, true);
-  warm.build(vectorizer.vectorize(second.view(), {}), {4, 5}, false);
+  warm.build(vectorizer.vectorize(first.view(), {}), {3, 3}, TileEncoding::light);
+  warm.build(vectorizer.vectorize(second.view(), {}), {4, 5}, TileEncoding::levels);
   LineTiles fresh;
-  fresh.build(vectorizer.map(), {4, 5}, false);
+  fresh.build(vectorizer.map(), {4, 5}, TileEncoding::levels);
   const auto bytes = [](const auto& values) { return std::as_bytes(std::span(values)); };
   RC_ASSERT(std::ranges::equal(bytes(warm.tiles()), bytes(fresh.tiles())));
   RC_ASSERT(std::ranges::equal(bytes(warm.lines()), bytes(fresh.lines())));

@@ -39,7 +39,7 @@ std::ptrdiff_t rings(const StageDrawing& drawing) {
 
 TEST(StageView, NamesAreThoseOfTheCommandLine) {
   const std::vector<std::string_view> expected{"bitmap",   "similarity", "cells",    "simplified", "contours",
-                                               "polygons", "curves",     "smoothed", "components"};
+                                               "polygons", "curves",     "smoothed", "components", "shaded"};
   EXPECT_TRUE(std::ranges::equal(stage_view_names(), expected));
   EXPECT_EQ(stage_view_by_name("smoothed"), StageView::smoothed);
   EXPECT_EQ(stage_view_by_name("blurred"), std::nullopt);

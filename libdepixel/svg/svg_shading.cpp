@@ -1,0 +1,217 @@
+#include "libdepixel/svg/svg_shading.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+#include <span>
+#include <string_view>
+
+#include "libdepixel/svg/svg_document.hpp"
+
+namespace depixel {
+namespace {
+
+/// A disc is opaque in its middle and fades out, three pixels wide, so that little of it reaches the next
+/// centres.
+constexpr std::string_view kFading =
+    "<stop offset=\".33\" stop-opacity=\".6\"/><stop offset=\".67\" stop-opacity=\".12\"/>"
+    "<stop offset=\"1\" stop-opacity=\"0\"/>";
+/// In pixels: as soft as the mixture between two centres is.
+constexpr std::string_view kDeviation = ".45";
+
+/// Components that hang together by soft contours, named by the first of them.
+std::vector<int> unite_components(const PlanarMap& map, const Components& components) {
+  std::vector<int> first(components.count);
+  std::iota(first.begin(), first.end(), 0);
+  const auto root = [&](int c) {
+    while (first[c] != c) c = first[c] = first[first[c]];
+    return c;
+  };
+  const Lattice& lattice = map.lattice;
+  const int stride = lattice.stride();
+  struct Pair {
+    PairMask bit;
+    int a, b;
+  };
+  const std::array<Pair, 6> pairs{{{kNorthPair, 0, 1},
+                                   {kEastPair, 1, stride + 1},
+                                   {kSouthPair, stride, stride + 1},
+                                   {kWestPair, 0, stride},
+                                   {kMainPair, 0, stride + 1},
+                                   {kAntiPair, 1, stride}}};
+  for (int block = 0; block + stride + 1 < lattice.size(); ++block) {
+    if (map.shading.blocks[block] == 0) continue;
+    for (const Pair& pair : pairs) {
+      if ((map.shading.blocks[block] & pair.bit) == 0) continue;
+      const int a = components.label[block + pair.a], b = components.label[block + pair.b];
+      if (a < 0 || b < 0) continue;
+      const auto [low, high] = std::minmax({root(a), root(b)});
+      first[high] = low;
+    }
+  }
+  for (int c = 0; c < components.count; ++c) first[c] = root(c);
+  return first;
+}
+
+bool is_by_shaded(const Shading& shading, int pixel, int stride) {
+  return (shading.blocks[pixel - stride - 1] | shading.blocks[pixel - stride] | shading.blocks[pixel - 1] |
+          shading.blocks[pixel]) != 0;
+}
+
+std::string colour_name(Rgba colour) {
+  std::string name;
+  append_svg_paint(name, "", colour);
+  return name.substr(name.find('#') + 1, 6);
+}
+
+class ShadingWriter {
+ public:
+  ShadingWriter(const PlanarMap& map, const Components& components, const std::vector<std::string>& path_data,
+                std::string& out)
+      : map_(map),
+        path_data_(path_data),
+        label_(components.label),
+        unions_(unite_components(map, components)),
+        out_(out) {}
+
+  void write() {
+    find_pixels();
+    if (pixels_.empty()) return;
+    out_ += "<g id=\"shading\">\n<defs>\n";
+    const bool is_gradient = map_.shading.kind == ShadingKind::gradient;
+    is_gradient ? define_discs() : define_blur();
+    out_ += "</defs>\n";
+    for (auto from = pixels_.begin(); from != pixels_.end();) {
+      const auto to = std::find_if(from, pixels_.end(), [&](const Pixel& p) { return p.of != from->of; });
+      start_union(from->of);
+      is_gradient ? put_discs({from, to}) : put_blurred({from, to});
+      out_ += "</g>\n";
+      from = to;
+    }
+    out_ += "</g>\n";
+  }
+
+ private:
+  struct Pixel {
+    int of;  ///< the union of components that it belongs to
+    int index;
+  };
+
+  /// Those to draw, union by union.
+  void find_pixels() {
+    const Lattice& lattice = map_.lattice;
+    for (int y = 0; y < lattice.height(); ++y) {
+      for (int i = lattice.pixel(0, y), end = i + lattice.width(); i < end; ++i) {
+        if (map_.colours[i].a != 255 || !is_by_shaded(map_.shading, i, lattice.stride())) continue;
+        pixels_.push_back({unions_[label_[i]], i});
+      }
+    }
+    std::stable_sort(pixels_.begin(), pixels_.end(),
+                     [](const Pixel& a, const Pixel& b) { return a.of < b.of; });
+  }
+
+  Rgba shade(const Pixel& pixel) const { return map_.shading.shades[pixel.index]; }
+
+  void define_discs() {
+    std::map<std::uint32_t, Rgba> colours;
+    for (const Pixel& pixel : pixels_) colours.emplace(rgba_order(shade(pixel)), shade(pixel));
+    for (const auto& [order, colour] : colours) {
+      const std::string name = colour_name(colour);
+      out_.append("<radialGradient id=\"g")
+          .append(name)
+          .append("\"><stop offset=\"0\" stop-color=\"#")
+          .append(name)
+          .append("\"/>");
+      for (std::size_t at = 0, next = 0; at < kFading.size(); at = next) {
+        next = kFading.find("/>", at) + 2;
+        out_.append(kFading.substr(at, next - at - 2)).append(" stop-color=\"#").append(name).append("\"/>");
+      }
+      out_.append("</radialGradient>\n<circle id=\"d")
+          .append(name)
+          .append("\" cx=\".5\" cy=\".5\" r=\"1.5\" fill=\"url(#g");
+      out_.append(name).append(")\"/>\n");
+    }
+  }
+
+  void define_blur() {
+    out_ +=
+        "<filter id=\"blur\" x=\"-1\" y=\"-1\" width=\"3\" height=\"3\" "
+        "color-interpolation-filters=\"sRGB\">";
+    out_.append("<feGaussianBlur stdDeviation=\"").append(kDeviation).append("\"/></filter>\n");
+  }
+
+  void start_union(int of) {
+    const std::string name = std::to_string(of);
+    out_.append("<clipPath id=\"c").append(name).append("\"><path clip-rule=\"evenodd\" d=\"");
+    for (std::size_t c = of; c < unions_.size(); ++c) {
+      if (unions_[c] == of) out_ += path_data_[c];
+    }
+    out_.append("\"/></clipPath>\n<g clip-path=\"url(#c").append(name).append(")\">\n");
+  }
+
+  /// On squares of the same colours, for discs let something through.
+  void put_discs(std::span<const Pixel> pixels) {
+    put_squares(pixels, 0);
+    for (const Pixel& pixel : pixels) {
+      const glm::ivec2 at = map_.lattice.pixel_position(pixel.index);
+      out_.append("<use xlink:href=\"#d").append(colour_name(shade(pixel)));
+      out_.append("\" x=\"")
+          .append(std::to_string(at.x))
+          .append("\" y=\"")
+          .append(std::to_string(at.y))
+          .append("\"/>\n");
+    }
+  }
+
+  /// What lies beyond the union takes part in the blur, and is what is nearest inside.
+  void put_blurred(std::span<const Pixel> pixels) {
+    out_ += "<g filter=\"url(#blur)\">\n";
+    put_squares(pixels, 1);
+    put_squares(pixels, 0);
+    out_ += "</g>\n";
+  }
+
+  void put_squares(std::span<const Pixel> pixels, int margin) {
+    std::map<std::uint32_t, std::vector<Pixel>> by_colour;
+    for (const Pixel& pixel : pixels) by_colour[rgba_order(shade(pixel))].push_back(pixel);
+    for (const auto& [order, same] : by_colour) {
+      out_ += "<path";
+      append_svg_paint(out_, "fill", shade(same.front()));
+      out_ += " d=\"";
+      for (std::size_t i = 0; i < same.size();) {
+        const std::size_t first = i++;
+        while (i < same.size() && same[i].index == same[i - 1].index + 1) ++i;
+        put_run(same[first].index, static_cast<int>(i - first), margin);
+      }
+      out_ += "\"/>\n";
+    }
+  }
+
+  void put_run(int first, int count, int margin) {
+    const glm::ivec2 from = map_.lattice.pixel_position(first) - margin;
+    const glm::ivec2 size = glm::ivec2(count, 1) + 2 * margin;
+    SvgPathData path(out_);
+    path.move_to(from * kSubpixels);
+    path.line_to((from + glm::ivec2(size.x, 0)) * kSubpixels);
+    path.line_to((from + size) * kSubpixels);
+    path.line_to((from + glm::ivec2(0, size.y)) * kSubpixels);
+    path.close();
+  }
+
+  const PlanarMap& map_;
+  const std::vector<std::string>& path_data_;
+  const std::vector<int>& label_;
+  std::vector<int> unions_;  ///< by component
+  std::vector<Pixel> pixels_;
+  std::string& out_;
+};
+
+}  // namespace
+
+void append_svg_shading(const PlanarMap& map, const Components& components,
+                        const std::vector<std::string>& path_data, std::string& out) {
+  if (map.shading.any) ShadingWriter(map, components, path_data, out).write();
+}
+
+}  // namespace depixel
