@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <compare>
 #include <map>
-#include <numeric>
 #include <span>
 #include <string_view>
 
@@ -20,40 +20,6 @@ constexpr std::string_view kFading =
 /// In pixels: as soft as the mixture between two centres is.
 constexpr std::string_view kDeviation = ".45";
 
-/// Components that hang together by soft contours, named by the first of them.
-std::vector<int> unite_components(const PlanarMap& map, const Components& components) {
-  std::vector<int> first(components.count);
-  std::iota(first.begin(), first.end(), 0);
-  const auto root = [&](int c) {
-    while (first[c] != c) c = first[c] = first[first[c]];
-    return c;
-  };
-  const Lattice& lattice = map.lattice;
-  const int stride = lattice.stride();
-  struct Pair {
-    PairMask bit;
-    int a, b;
-  };
-  const std::array<Pair, 6> pairs{{{kNorthPair, 0, 1},
-                                   {kEastPair, 1, stride + 1},
-                                   {kSouthPair, stride, stride + 1},
-                                   {kWestPair, 0, stride},
-                                   {kMainPair, 0, stride + 1},
-                                   {kAntiPair, 1, stride}}};
-  for (int block = 0; block + stride + 1 < lattice.size(); ++block) {
-    if (map.shading.blocks[block] == 0) continue;
-    for (const Pair& pair : pairs) {
-      if ((map.shading.blocks[block] & pair.bit) == 0) continue;
-      const int a = components.label[block + pair.a], b = components.label[block + pair.b];
-      if (a < 0 || b < 0) continue;
-      const auto [low, high] = std::minmax({root(a), root(b)});
-      first[high] = low;
-    }
-  }
-  for (int c = 0; c < components.count; ++c) first[c] = root(c);
-  return first;
-}
-
 bool is_by_shaded(const Shading& shading, int pixel, int stride) {
   return (shading.blocks[pixel - stride - 1] | shading.blocks[pixel - stride] | shading.blocks[pixel - 1] |
           shading.blocks[pixel]) != 0;
@@ -69,22 +35,22 @@ class ShadingWriter {
  public:
   ShadingWriter(const PlanarMap& map, const Components& components, const std::vector<std::string>& path_data,
                 std::string& out)
-      : map_(map),
-        path_data_(path_data),
-        label_(components.label),
-        unions_(unite_components(map, components)),
-        out_(out) {}
+      : map_(map), path_data_(path_data), label_(components.label), out_(out) {}
 
   void write() {
-    find_pixels();
+    find_own();
+    find_beyond();
     if (pixels_.empty()) return;
+    std::sort(pixels_.begin(), pixels_.end());
+    pixels_.erase(std::unique(pixels_.begin(), pixels_.end()), pixels_.end());
     out_ += "<g id=\"shading\">\n<defs>\n";
     const bool is_gradient = map_.shading.kind == ShadingKind::gradient;
     is_gradient ? define_discs() : define_blur();
     out_ += "</defs>\n";
     for (auto from = pixels_.begin(); from != pixels_.end();) {
-      const auto to = std::find_if(from, pixels_.end(), [&](const Pixel& p) { return p.of != from->of; });
-      start_union(from->of);
+      const auto to =
+          std::find_if(from, pixels_.end(), [&](const Pixel& p) { return p.component != from->component; });
+      start_component(from->component);
       is_gradient ? put_discs({from, to}) : put_blurred({from, to});
       out_ += "</g>\n";
       from = to;
@@ -94,21 +60,48 @@ class ShadingWriter {
 
  private:
   struct Pixel {
-    int of;  ///< the union of components that it belongs to
+    int component;  ///< in which it is seen
+    bool is_own;    ///< it lies there, not beyond a soft contour
     int index;
+
+    friend auto operator<=>(const Pixel&, const Pixel&) = default;
   };
 
-  /// Those to draw, union by union.
-  void find_pixels() {
+  void find_own() {
     const Lattice& lattice = map_.lattice;
     for (int y = 0; y < lattice.height(); ++y) {
       for (int i = lattice.pixel(0, y), end = i + lattice.width(); i < end; ++i) {
         if (map_.colours[i].a != 255 || !is_by_shaded(map_.shading, i, lattice.stride())) continue;
-        pixels_.push_back({unions_[label_[i]], i});
+        pixels_.push_back({label_[i], true, i});
       }
     }
-    std::stable_sort(pixels_.begin(), pixels_.end(),
-                     [](const Pixel& a, const Pixel& b) { return a.of < b.of; });
+  }
+
+  /// Pixels on the other sides of soft contours.
+  void find_beyond() {
+    const Lattice& lattice = map_.lattice;
+    const int stride = lattice.stride();
+    struct Pair {
+      PairMask bit;
+      int a, b;
+    };
+    const std::array<Pair, 6> pairs{{{kNorthPair, 0, 1},
+                                     {kEastPair, 1, stride + 1},
+                                     {kSouthPair, stride, stride + 1},
+                                     {kWestPair, 0, stride},
+                                     {kMainPair, 0, stride + 1},
+                                     {kAntiPair, 1, stride}}};
+    for (int y = 0; y <= lattice.height(); ++y) {
+      for (int block = lattice.corner(0, y), end = block + lattice.width(); block <= end; ++block) {
+        for (const Pair& pair : pairs) {
+          if ((map_.shading.blocks[block] & pair.bit) == 0) continue;
+          const int a = block + pair.a, b = block + pair.b;
+          if (label_[a] == label_[b] || map_.colours[a].a != 255) continue;
+          pixels_.push_back({label_[a], false, b});
+          pixels_.push_back({label_[b], false, a});
+        }
+      }
+    }
   }
 
   Rgba shade(const Pixel& pixel) const { return map_.shading.shades[pixel.index]; }
@@ -141,13 +134,13 @@ class ShadingWriter {
     out_.append("<feGaussianBlur stdDeviation=\"").append(kDeviation).append("\"/></filter>\n");
   }
 
-  void start_union(int of) {
-    const std::string name = std::to_string(of);
+  void start_component(int component) {
+    const std::string name = std::to_string(component);
     out_.append("<clipPath id=\"c").append(name).append("\"><path clip-rule=\"evenodd\" d=\"");
-    for (std::size_t c = of; c < unions_.size(); ++c) {
-      if (unions_[c] == of) out_ += path_data_[c];
-    }
-    out_.append("\"/></clipPath>\n<g clip-path=\"url(#c").append(name).append(")\">\n");
+    out_.append(path_data_[component])
+        .append("\"/></clipPath>\n<g clip-path=\"url(#c")
+        .append(name)
+        .append(")\">\n");
   }
 
   /// On squares of the same colours, for discs let something through.
@@ -164,10 +157,11 @@ class ShadingWriter {
     }
   }
 
-  /// What lies beyond the union takes part in the blur, and is what is nearest inside.
+  /// What lies beyond a sharp contour takes part in the blur, and is what is nearest inside.
   void put_blurred(std::span<const Pixel> pixels) {
     out_ += "<g filter=\"url(#blur)\">\n";
-    put_squares(pixels, 1);
+    const auto own = std::find_if(pixels.begin(), pixels.end(), [](const Pixel& p) { return p.is_own; });
+    put_squares({own, pixels.end()}, 1);
     put_squares(pixels, 0);
     out_ += "</g>\n";
   }
@@ -202,7 +196,6 @@ class ShadingWriter {
   const PlanarMap& map_;
   const std::vector<std::string>& path_data_;
   const std::vector<int>& label_;
-  std::vector<int> unions_;  ///< by component
   std::vector<Pixel> pixels_;
   std::string& out_;
 };

@@ -10,7 +10,7 @@ namespace depixel {
 
 /// Appends what makes colours run inside regions, to be drawn on top of the components' shapes; nothing where
 /// nothing is shaded. Each pixel that is shaded, or beside one that is, is drawn once more, clipped to the
-/// component, or to the components that hang together by soft contours: as a disc three pixels wide that
+/// component, and to those that it blends with across soft contours: as a disc three pixels wide that
 /// fades out (ShadingKind::gradient), or as a square, all of which are blurred (else). What is not opaque
 /// keeps its one colour. \param path_data  of each component; even-odd. Source: Schapfel, sections 4.8
 /// and 7.1.2.
