@@ -10,6 +10,7 @@
 
 #include "bench/common/generated.hpp"
 #include "bench/common/inputs.hpp"
+#include "bench/common/option_variants.hpp"
 #include "bench/common/program.hpp"
 #include "bench/frames/frame_timing.hpp"
 
@@ -27,7 +28,7 @@ struct Settings {
   std::filesystem::path yardstick;
   int every = 1;
   double seconds = 0.3;
-  bool json = false, stages = false, generated = false;
+  bool json = false, stages = false, generated = false, options = false;
 };
 
 void print_timing(const FrameTiming& timing, bool stages) {
@@ -133,12 +134,33 @@ void print_sizes(const std::vector<std::filesystem::path>& files, const Settings
       verdict(timing.ratio(), kWantedSizes));
 }
 
+/// What options cost on each frame.
+void print_options(const std::vector<std::filesystem::path>& files, const Settings& settings) {
+  std::vector<Options> options;
+  fmt::print("{:<36}", "vectorize and draw / the defaults'");
+  for (const OptionVariant& variant : kOptionVariants) {
+    options.push_back(variant.options());
+    fmt::print(" {:>17}", variant.name);
+  }
+  for (const auto& file : files) {
+    fmt::print("\n{:<36}", file.filename().string());
+    for (const double ratio : time_options(read_picture(file), options, settings.seconds))
+      fmt::print(" {:>17.2f}", ratio);
+    std::fflush(stdout);
+  }
+  fmt::print("\n");
+}
+
 void run(Settings settings) {
   if (settings.inputs.empty()) {
     settings.inputs.push_back(shipped_data() / "frames");
     settings.generated = true;
   }
   const auto files = list_pictures(settings.inputs, settings.every);
+  if (settings.options) {
+    print_options(files, settings);
+    return;
+  }
   if (!settings.json) print_header(settings.stages);
   const std::vector<FrameTiming> timings = time_files(files, settings);
   if (settings.json) {
@@ -166,6 +188,7 @@ void add_options(CLI::App& app, Settings& settings) {
   app.add_flag("--stages", settings.stages, "show the time of each stage");
   app.add_flag("--generated", settings.generated,
                "time generated and cropped pictures too, as without INPUT");
+  app.add_flag("--options", settings.options, "print what options cost instead");
   app.add_option("--yardstick", settings.yardstick, "frame that generated pictures are compared with");
   app.add_flag("--json", settings.json, "print the times of the frames as one JSON object, and nothing else");
 }

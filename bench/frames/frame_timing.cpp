@@ -16,8 +16,9 @@ const Options kOptions;  // the defaults, one thread
 /// All that is timed on one frame, and the samples.
 class FrameTimer {
  public:
-  explicit FrameTimer(const NamedPicture& frame)
+  explicit FrameTimer(const NamedPicture& frame, const Options& options = {})
       : name_(frame.name),
+        options_(options),
         view_(frame.picture.view()),
         out_(view_.width * kTimingScale, view_.height * kTimingScale),
         xbr_("xbr", kTimingScale, view_.width, view_.height) {
@@ -30,10 +31,11 @@ class FrameTimer {
   }
 
   void round() {
-    vectorize_.push_back(time_ms([&] { vectorizer_.vectorize(view_, kOptions); }));
+    vectorize_.push_back(time_ms([&] { vectorizer_.vectorize(view_, options_); }));
     const PlanarMap& map = vectorizer_.map();
     const View view = View::fit(map.lattice, out_.width(), out_.height());
-    draw_.push_back(time_ms([&] { raster_.draw(map, view, false, kOptions.threads, out_.target()); }));
+    draw_.push_back(
+        time_ms([&] { raster_.draw(map, view, options_.linear_light, options_.threads, out_.target()); }));
     scale_.push_back(time_ms([&] { xbr_.run(); }));
     for (std::size_t i = 0; i < stages_.size(); ++i) {
       stages_[i].push_back(1e-6 * double(vectorizer_.stats().stage_ns[i]));
@@ -48,6 +50,7 @@ class FrameTimer {
 
  private:
   std::string name_;
+  Options options_;
   FrameView view_;
   Vectorizer vectorizer_;
   CpuRaster raster_;
@@ -69,6 +72,21 @@ std::vector<FrameTiming> time_frames(std::span<const NamedPicture> frames, doubl
   timings.reserve(timers.size());
   for (const FrameTimer& timer : timers) timings.push_back(timer.result());
   return timings;
+}
+
+std::vector<double> time_options(const Picture& frame, std::span<const Options> options, double seconds) {
+  std::deque<FrameTimer> timers;
+  const NamedPicture named{"", frame};
+  timers.emplace_back(named);
+  for (const Options& changed : options) timers.emplace_back(named, changed);
+  repeat_for(seconds * double(timers.size()), kMinRounds, [&] {
+    for (FrameTimer& timer : timers) timer.round();
+  });
+  const double of_defaults = timers.front().result().both_ms();
+  timers.pop_front();
+  std::vector<double> ratios;
+  for (const FrameTimer& timer : timers) ratios.push_back(timer.result().both_ms() / of_defaults);
+  return ratios;
 }
 
 SizeTiming time_sizes(const Picture& picture, int crop_size, double seconds) {

@@ -37,6 +37,9 @@ struct FrameTiming {
 /// least.
 std::vector<FrameTiming> time_frames(std::span<const NamedPicture> frames, double seconds);
 
+/// What some options take on a frame, as ratios to the defaults' time to vectorize and draw; all in turns.
+std::vector<double> time_options(const Picture& frame, std::span<const Options> options, double seconds);
+
 /// Vectorizing time in nanoseconds a pixel for one square picture: as a whole, and cut in small squares.
 struct SizeTiming {
   double whole_ns = 0, cropped_ns = 0;

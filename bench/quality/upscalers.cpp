@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "bench/common/option_variants.hpp"
 #include "bench/peers/libav_scaler.hpp"
 #include "bench/peers/xbrz_process.hpp"
 #include "libdepixel/pipeline/vectorizer.hpp"
@@ -110,15 +111,6 @@ constexpr std::array<NamedSpline, 3> kSplines{{{SplineKind::adaptive, "adaptive"
                                                {SplineKind::approximate, "approximate"},
                                                {SplineKind::interpolate, "interpolate"}}};
 
-/// The defaults but for an option or two.
-struct Variant {
-  std::string_view name;
-  void (*change)(Options&);
-};
-constexpr std::array<Variant, 2> kVariants{
-    {{"merge", [](Options& o) { o.similarity = Similarity::merge; }},
-     {"no votes", [](Options& o) { o.curve_weight = o.sparse_weight = o.island_weight = 0; }}}};
-
 }  // namespace
 
 std::vector<Upscaler> all_upscalers() {
@@ -132,7 +124,7 @@ std::vector<Upscaler> all_upscalers() {
       all.push_back(ours(fmt::format("depixel {} {}", smoothing.name, spline.name), options));
     }
   }
-  for (const auto& variant : kVariants) {
+  for (const auto& variant : kOptionVariants) {
     Options options;
     variant.change(options);
     all.push_back(ours(fmt::format("depixel {}", variant.name), options));

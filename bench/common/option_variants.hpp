@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "libdepixel/core/options.hpp"
+
+namespace depixel::bench {
+
+/// The defaults but for an option or two.
+struct OptionVariant {
+  std::string_view name;
+  void (*change)(Options&);
+
+  Options options() const {
+    Options changed;
+    change(changed);
+    return changed;
+  }
+};
+
+inline constexpr std::array kOptionVariants{
+    OptionVariant{"merge", [](Options& o) { o.similarity = Similarity::merge; }},
+    OptionVariant{"merge, gradient",
+                  [](Options& o) {
+                    o.similarity = Similarity::merge;
+                    o.shading = ShadingKind::gradient;
+                  }},
+    OptionVariant{"merge, blur",
+                  [](Options& o) {
+                    o.similarity = Similarity::merge;
+                    o.shading = ShadingKind::blur;
+                  }},
+    OptionVariant{"soft contours 20", [](Options& o) { o.soft_contours = 20; }},
+    OptionVariant{"connect lines", [](Options& o) { o.connect_lines = true; }},
+    OptionVariant{"linear light", [](Options& o) { o.linear_light = true; }},
+    OptionVariant{"no votes", [](Options& o) { o.curve_weight = o.sparse_weight = o.island_weight = 0; }}};
+
+}  // namespace depixel::bench
