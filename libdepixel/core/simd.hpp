@@ -85,6 +85,36 @@ inline std::uint32_t pack_bytes(Int4 v) {
 #endif
 }
 
+/// Two times four integers of -32768..32767, ready to be mixed: (a, b) times two factors of that range, added
+/// up.
+class LevelPairs {
+ public:
+  LevelPairs() = default;
+  LevelPairs(Int4 a, Int4 b) {
+#ifdef __SSE2__
+    pairs_ = (a & 0xffff) | b << 16;
+#else
+    a_ = a;
+    b_ = b;
+#endif
+  }
+  Int4 mixed(int of_a, int of_b) const {
+#ifdef __SSE2__
+    const auto factors = _mm_set1_epi32((of_a & 0xffff) | of_b << 16);
+    return reinterpret_cast<Int4>(_mm_madd_epi16(reinterpret_cast<__m128i>(pairs_), factors));
+#else
+    return a_ * of_a + b_ * of_b;
+#endif
+  }
+
+ private:
+#ifdef __SSE2__
+  Int4 pairs_{};
+#else
+  Int4 a_{}, b_{};
+#endif
+};
+
 /// Four differences of -255..255, ready to be multiplied by a common factor of at most 2^17 in magnitude.
 class LevelDifference {
  public:

@@ -12,34 +12,63 @@ namespace {
 constexpr int kWeightBits = 12, kWeights = 1 << kWeightBits;
 static_assert(kWeights == kSubpixels);
 
-Word4 channels(Rgba c) {
-  return Word4{c.r, c.g, c.b, c.a};
+/// Shades are mixed, first along columns, in 1/128 of a level.
+constexpr int kLevelBits = 7;
+
+void store(std::uint8_t* row, int x, Rgba colour) {
+  std::memcpy(row + 4 * std::size_t(x), &colour, sizeof colour);
 }
 
-Rgba packed(const Word4& levels) {
-  return std::bit_cast<Rgba>(pack_bytes(reinterpret_cast<Int4>(levels)));
+Int4 channels(Rgba c) {
+  return Int4{c.r, c.g, c.b, c.a};
 }
 
 }  // namespace
 
 struct ShadeField::Mixture {
   bool is_even;
-  Rgba colour;   ///< if it is even
-  unsigned all;  ///< 0 if pixels are left out
-  std::array<Word4, 4> shades;
-  std::array<std::uint32_t, 4> shares;  ///< 1 or 0 where a pixel is left out
+  Rgba colour;  ///< if it is even
+  std::array<Rgba, 4> shades;
+  std::array<int, 4> shares;  ///< 1, or 0 where a pixel is left out
+};
 
-  Rgba at(int x, int y) const {
-    const auto east = static_cast<std::uint32_t>(x), south = static_cast<std::uint32_t>(y);
-    const std::uint32_t west = kWeights - east, north = kWeights - south;
-    const std::array<std::uint32_t, 4> weights{shares[0] * west * north, shares[1] * east * north,
-                                               shares[2] * west * south, shares[3] * east * south};
-    const Word4 sum =
-        shades[0] * weights[0] + shades[1] * weights[1] + shades[2] * weights[2] + shades[3] * weights[3];
-    if (all != 0) return packed((sum + (1U << (2 * kWeightBits - 1))) >> (2 * kWeightBits));
-    const std::uint32_t total = weights[0] + weights[1] + weights[2] + weights[3];
-    return packed((sum + total / 2) / total);
+/// A mixture along a row of output pixels.
+class ShadeField::MixtureRow {
+ public:
+  MixtureRow(const Mixture& mixture, int south) {
+    const auto& [a, b, c, d] = mixture.shades;
+    const auto& [share_a, share_b, share_c, share_d] = mixture.shares;
+    const int north = kWeights - south;
+    west_ = share_a * north + share_c * south;
+    east_ = share_b * north + share_d * south;
+    is_whole_ = west_ + east_ == 2 * kWeights;
+    levels_ = LevelPairs(column(a, share_a * north, c, share_c * south),
+                         column(b, share_b * north, d, share_d * south));
   }
+
+  Rgba at(int east) const {
+    constexpr int kBits = kWeightBits + kLevelBits;
+    const int west = kWeights - east;
+    const Int4 sum = levels_.mixed(west, east);
+    if (is_whole_) return packed((sum + (1 << (kBits - 1))) >> kBits);
+    // The shares that take part are not all: a division, of which the bits are the same everywhere.
+    const float to_levels = float(kWeights >> kLevelBits) / float(west_ * west + east_ * east);
+    return packed(__builtin_convertvector(__builtin_convertvector(sum, Float4) * to_levels + 0.5f, Int4));
+  }
+
+ private:
+  using Float4 = float __attribute__((vector_size(16)));
+
+  static Rgba packed(Int4 levels) { return std::bit_cast<Rgba>(pack_bytes(levels)); }
+
+  static Int4 column(Rgba a, int of_a, Rgba b, int of_b) {
+    constexpr int kBits = kWeightBits - kLevelBits;
+    return (LevelPairs(channels(a), channels(b)).mixed(of_a, of_b) + (1 << (kBits - 1))) >> kBits;
+  }
+
+  LevelPairs levels_;
+  int west_, east_;  ///< weights of the columns that take part
+  bool is_whole_;
 };
 
 std::vector<ShadeField::Place>& ShadeField::place(const ToOutput& axis, int pixels, int size,
@@ -75,7 +104,7 @@ bool ShadeField::is_shaded(int first_row, int end_row) const {
 }
 
 ShadeField::Mixture ShadeField::mixture(int block, Rgba region) const {
-  Mixture mixture{true, region, 0, {}, {}};
+  Mixture mixture{true, region, {}, {}};
   const std::uint8_t pairs = shading_->blocks[block];
   if (pairs == 0) return mixture;
   const std::array<int, 4> pixels{block, block + 1, block + lattice_.stride(), block + lattice_.stride() + 1};
@@ -88,17 +117,16 @@ ShadeField::Mixture ShadeField::mixture(int block, Rgba region) const {
     if ((blending >> k & 1) == 0) continue;
     const Rgba shade = (*shades_)[pixels[k]];
     mixture.is_even &= shade == mixture.colour;
-    mixture.shades[k] = channels(shade);
+    mixture.shades[k] = shade;
     mixture.shares[k] = 1;
   }
-  mixture.all = blending == 15 ? 1 : 0;
   return mixture;
 }
 
 Rgba ShadeField::at(int column, int row, Rgba region) const {
   const Place &x = columns_[column], &y = rows_[row];
   const Mixture here = mixture(lattice_.corner(x.line, y.line), region);
-  return here.is_even ? here.colour : here.at(x.weight, y.weight);
+  return here.is_even ? here.colour : MixtureRow(here, y.weight).at(x.weight);
 }
 
 void ShadeField::fill(int row, int from, int to, Rgba region, std::uint8_t* out) const {
@@ -106,9 +134,11 @@ void ShadeField::fill(int row, int from, int to, Rgba region, std::uint8_t* out)
   for (int x = from; x < to;) {
     const int line = columns_[x].line;
     const Mixture here = mixture(lattice_.corner(line, y.line), region);
-    for (; x < to && columns_[x].line == line; ++x) {
-      const Rgba colour = here.is_even ? here.colour : here.at(columns_[x].weight, y.weight);
-      std::memcpy(out + 4 * std::size_t(x), &colour, sizeof colour);
+    if (here.is_even) {
+      for (; x < to && columns_[x].line == line; ++x) store(out, x, here.colour);
+    } else {
+      const MixtureRow mixed(here, y.weight);
+      for (; x < to && columns_[x].line == line; ++x) store(out, x, mixed.at(columns_[x].weight));
     }
   }
 }

@@ -38,6 +38,7 @@ class ShadeField {
   };
   /// What a region has between the centres of a block's pixels.
   struct Mixture;
+  class MixtureRow;
 
   static std::vector<Place>& place(const ToOutput& axis, int pixels, int size, std::vector<Place>& places);
   Mixture mixture(int block, Rgba region) const;
