@@ -31,8 +31,8 @@ class FrameTimer {
 
   void round() {
     vectorize_.push_back(time_ms([&] { vectorizer_.vectorize(view_, kOptions); }));
-    const PlanarMap& map = vectorizer_.map();
-    const View view = View::fit(map.lattice, out_.width(), out_.height());
+    const MapByEdge map = vectorizer_.by_edge();
+    const View view = View::fit(map.edges.lattice, out_.width(), out_.height());
     draw_.push_back(time_ms([&] { raster_.draw(map, view, false, kOptions.threads, out_.target()); }));
     scale_.push_back(time_ms([&] { xbr_.run(); }));
     for (std::size_t i = 0; i < stages_.size(); ++i) {

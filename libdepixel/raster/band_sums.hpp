@@ -17,7 +17,7 @@ namespace depixel {
 /// A line that goes down adds, to every pixel it crosses, its colour change times the area to its right
 /// inside the pixel, and to the next pixel the rest of the height it covers; a running sum along the row then
 /// gives the colours. All sums are integers. Source: FreeType's smooth rasteriser; font-rs.
-template <typename Model, int kRowCount = 16>
+template <typename Model, int kRowCount = 32>
 class BandSums {
  public:
   using Sums = typename Model::Sums;
@@ -31,9 +31,12 @@ class BandSums {
     right_ = width * kRasterSubpixels;
     if (width <= capacity_) return;
     capacity_ = width;
-    flag_capacity_ = (width / kGroup / kFlags + 1) * kFlags;
-    sums_.assign(std::size_t{kRows} * stride(), Sums{});
-    touched_.assign(std::size_t{kRows} * flag_capacity_, 0);
+    // With room for what a line in the last column leaves to the next.
+    const std::size_t groups = static_cast<std::size_t>(width) / kGroup + 1;
+    stride_ = groups * kGroup;
+    flag_capacity_ = (groups + kFlags - 1) / kFlags * kFlags;
+    sums_.assign(kRows * stride_, Sums{});
+    touched_.assign(kRows * flag_capacity_, 0);
   }
 
   /// Starts a band: output rows first_row .. first_row + rows - 1.
@@ -56,12 +59,16 @@ class BandSums {
     const int width = bottom_x - top_x, height = bottom_y - top_y;
     const Ratio slope(width, height);
     const bool stays_inside = std::min(x0, x1) >= 0 && std::max(x0, x1) < right_;
-    Slice slice{change, Ratio(height, width == 0 ? 1 : std::abs(width)), is_upwards ? -1 : 1, 0, 0, 0, 0};
+    Slice slice{
+        change, Ratio(height, width == 0 ? 1 : std::abs(width)), is_upwards ? -1 : 1, nullptr, nullptr, 0, 0,
+        0};
     int x = top_x + slope.times(from - top_y);
     for (int y = from; y < to;) {
       const int next_y = std::min(to, (y | (kSub - 1)) + 1);
       const int next_x = next_y == bottom_y ? bottom_x : top_x + slope.times(next_y - top_y);
-      slice.row = (y - top_) >> kSubBits;
+      const std::size_t row = static_cast<unsigned>(y - top_) / kSub;
+      slice.sums = sums_.data() + row * stride_;
+      slice.touched = touched_.data() + row * flag_capacity_;
       slice.left = std::min(x, next_x);
       slice.right = std::max(x, next_x);
       slice.height = next_y - y;
@@ -77,7 +84,7 @@ class BandSums {
 
   /// The sum of all sums of a row.
   Sums total(int row) const {
-    const Sums* sums = sums_.data() + row * stride();
+    const Sums* sums = sums_.data() + row * stride_;
     Sums total{};
     for_each_touched(row, [&](int first) {
       for (int x = first; x < first + kGroup; ++x) total += sums[x];
@@ -89,7 +96,7 @@ class BandSums {
   /// right, and clears them.
   template <typename Visit>
   void take(int row, Visit visit) {
-    Sums* sums = sums_.data() + row * stride();
+    Sums* sums = sums_.data() + row * stride_;
     for_each_touched(row, [&](int first) {
       for (int x = first; x < first + kGroup; ++x) {
         visit(x, sums[x]);
@@ -102,14 +109,22 @@ class BandSums {
   /// The same for a part of the row: only pixels from .. to - 1 are written.
   /// \param before  the sum of all sums left of the row.
   void resolve(int row, std::uint8_t* out, Sums before, int from, int to) {
-    RowState state{sums_.data() + row * stride(), out, before, Model::decode(before), from, to};
-    for_each_touched(row, [&](int first) {
-      if (first >= from && first + kGroup <= to) {
+    RowState state{sums_.data() + row * stride_, out, before, Model::decode(before), from, to};
+    for_each_flags(row, [&](int first, std::uint64_t flags) {
+      // Where several are touched, all are taken, if that takes little: which they are cannot be foretold.
+      if (kDecodesFour<Model> && count_flags(flags) > 1 && first >= from && first + kFlags * kGroup <= to) {
         fill(state, first);
-        resolve_whole(state, first);
-      } else {
-        resolve_part(state, first);
+        resolve_whole(state, first, kFlags);
+        return;
       }
+      for_each_group(first, flags, [&](int group) {
+        if (group >= from && group + kGroup <= to) {
+          fill(state, group);
+          resolve_whole(state, group, 1);
+        } else {
+          resolve_part(state, group);
+        }
+      });
     });
     forget_touched(row);
     fill(state, to);
@@ -121,21 +136,31 @@ class BandSums {
   static constexpr int kSub = kRasterSubpixels;
   static constexpr int kSubBits = std::countr_zero(static_cast<unsigned>(kSub));
 
-  /// Whole groups, with room for what a line in the last column leaves to the next.
-  std::size_t stride() const { return (static_cast<std::size_t>(capacity_) / kGroup + 1) * kGroup; }
-
-  /// Calls visit(first column) for each group of a row with touched pixels, from left to right.
+  /// Calls visit(first column, flags) for the flags of a row, those that are looked at together; none if all
+  /// are 0.
   template <typename Visit>
-  void for_each_touched(int row, Visit visit) const {
-    const std::uint8_t* flags = touched_.data() + std::size_t(row) * flag_capacity_;
+  void for_each_flags(int row, Visit visit) const {
+    const std::uint8_t* flags = touched_.data() + row * flag_capacity_;
     for (int flag = 0; flag <= width_ / kGroup; flag += kFlags) {
-      for (std::uint64_t bits = load_bytes(flags + flag); bits != 0; bits &= bits - 1) {
-        visit((flag + std::countr_zero(bits) / 8) * kGroup);
-      }
+      if (const std::uint64_t together = load_bytes(flags + flag); together != 0)
+        visit(flag * kGroup, together);
     }
   }
+  /// Calls visit(first column) for each group that was touched, from left to right.
+  template <typename Visit>
+  static void for_each_group(int first, std::uint64_t flags, Visit visit) {
+    for (; flags != 0; flags &= flags - 1) visit(first + std::countr_zero(flags) / 8 * kGroup);
+  }
+  template <typename Visit>
+  void for_each_touched(int row, Visit visit) const {
+    for_each_flags(row, [&](int first, std::uint64_t flags) { for_each_group(first, flags, visit); });
+  }
+  /// Flags are 0 or 1.
+  static int count_flags(std::uint64_t flags) {
+    return static_cast<int>(flags * 0x01'01'01'01'01'01'01'01 >> 56);
+  }
   void forget_touched(int row) {
-    std::fill_n(touched_.data() + std::size_t(row) * flag_capacity_, flag_capacity_, std::uint8_t{0});
+    std::fill_n(touched_.data() + row * flag_capacity_, flag_capacity_, std::uint8_t{0});
   }
 
   /// How far a row has been resolved: pixels before `done` are written, or are not to be, and so are those
@@ -171,16 +196,22 @@ class BandSums {
     fill(state, std::min(first + kGroup, state.end));
   }
 
-  void resolve_whole(RowState& state, int first) const {
-    Sums* sums = state.sums + first;
-    const Sums a = state.running + sums[0], b = a + sums[1], c = b + sums[2], d = c + sums[3];
+  /// Takes some groups that follow each other.
+  void resolve_whole(RowState& state, int first, int groups) const {
     static_assert(kGroup == 4);
-    const Byte16 four = decode_four<Model>(a, b, c, d);
-    store_vector(state.out + 4 * std::size_t(first), four);
-    std::fill_n(sums, kGroup, Sums{});
-    state.running = d;
+    Sums running = state.running;
+    Byte16 four{};
+    for (int x = first; x < first + groups * kGroup; x += kGroup) {
+      Sums* sums = state.sums + x;
+      const Sums a = running + sums[0], b = a + sums[1], c = b + sums[2], d = c + sums[3];
+      four = decode_four<Model>(a, b, c, d);
+      store_vector(state.out + 4 * std::size_t(x), four);
+      std::fill_n(sums, kGroup, Sums{});
+      running = d;
+    }
+    state.running = running;
     state.colour = std::bit_cast<std::array<Rgba, kGroup>>(four).back();
-    state.done = first + kGroup;
+    state.done = first + groups * kGroup;
   }
 
   /// A ratio of two integers in fixed point, to be multiplied by another integer and rounded. Lines are
@@ -209,8 +240,10 @@ class BandSums {
   struct Slice {
     const Change& change;
     Ratio height_by_width;
-    int sign;  ///< of the change
-    int row, left, right, height;
+    int sign;               ///< of the change
+    Sums* sums;             ///< of the row
+    std::uint8_t* touched;  ///< flags of the row
+    int left, right, height;
   };
 
   /// Cuts off what leaves the rows. What lies left of them changes whole rows from the first pixel on; what
@@ -219,8 +252,8 @@ class BandSums {
     if (slice.left < 0) {
       const int height =
           slice.right <= 0 ? slice.height : std::min(slice.height, slice.height_by_width.times(-slice.left));
-      sums_[slice.row * stride()] += Model::times(slice.change, slice.sign * 2 * kSub * height);
-      touch(slice.row, 0);
+      slice.sums[0] += Model::times(slice.change, slice.sign * 2 * kSub * height);
+      touch(slice, 0);
       slice.height -= height;
       slice.left = 0;
       slice.right = std::max(slice.right, 0);
@@ -238,7 +271,7 @@ class BandSums {
   /// Adds a slice column by column; what a column leaves to the next is carried along.
   void add_slice(const Slice& slice) {
     const int first = slice.left >> kSubBits, last = slice.right >> kSubBits;
-    Sums* sums = sums_.data() + slice.row * stride();
+    Sums* sums = slice.sums;
     Sums carried{};
     int x = slice.left - first * kSub, done = 0;
     for (int column = first; column < last; ++column) {
@@ -246,22 +279,24 @@ class BandSums {
       const int height = slice.sign * (total - done), area = (x + kSub) * height;
       sums[column] += carried + Model::times(slice.change, 2 * kSub * height - area);
       carried = Model::times(slice.change, area);
-      touch(slice.row, column);
+      touch(slice, column);
       x = 0;
       done = total;
     }
     const int height = slice.sign * (slice.height - done), area = (x + slice.right - last * kSub) * height;
     sums[last] += carried + Model::times(slice.change, 2 * kSub * height - area);
-    touch(slice.row, last);
-    if (area == 0) return;
     sums[last + 1] += Model::times(slice.change, area);
-    touch(slice.row, last + 1);
+    touch(slice, last);
+    touch(slice, last + (area != 0 ? 1 : 0));
   }
 
-  void touch(int row, int column) { touched_[std::size_t(row) * flag_capacity_ + column / kGroup] = 1; }
+  static void touch(const Slice& slice, int column) {
+    slice.touched[static_cast<unsigned>(column) / kGroup] = 1;
+  }
 
   int width_ = 0, right_ = 0;
-  int capacity_ = -1, flag_capacity_ = 0;  ///< of the arrays, in pixels and flags a row
+  int capacity_ = -1;                           ///< width that the arrays have room for
+  std::size_t stride_ = 0, flag_capacity_ = 0;  ///< sums and flags a row
   int top_ = 0, bottom_ = 0;
   std::vector<Sums> sums_;
   std::vector<std::uint8_t> touched_;  ///< by group of pixels: 1 where one was touched, else 0

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -18,6 +19,13 @@ class ToOutput {
       : factor_(std::llround(scale * kRasterSubpixels / kSubpixels * kOne)),
         offset_(std::llround(-origin * scale * kRasterSubpixels) * kOne + kOne / 2) {}
   int operator()(int subpixels) const { return static_cast<int>((subpixels * factor_ + offset_) >> kBits); }
+
+  /// The first of the source's subpixels that is mapped to a subpixel of the output, or beyond it.
+  std::int64_t first_at(int output_subpixels) const {
+    const std::int64_t wanted = output_subpixels * kOne - offset_,
+                       factor = std::max<std::int64_t>(factor_, 1);
+    return wanted / factor + (wanted % factor > 0 ? 1 : 0);
+  }
 
   /// Output pixels to a source pixel if these are whole and begin on whole output pixels, else 0: then all
   /// that moves by source pixels moves by whole output pixels, to the bit.
