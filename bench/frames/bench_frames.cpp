@@ -85,6 +85,7 @@ void print_json(const std::vector<FrameTiming>& timings) {
     frames.push_back({{"name", timing.name},
                       {"vectorize_ms", timing.vectorize_ms},
                       {"raster_ms", timing.raster_ms},
+                      {"both_ms", timing.both_ms()},
                       {"xbr4_ms", timing.xbr4_ms},
                       {"scale", kTimingScale}});
   }

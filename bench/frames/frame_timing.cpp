@@ -32,8 +32,8 @@ class FrameTimer {
 
   void round() {
     vectorize_.push_back(time_ms([&] { vectorizer_.vectorize(view_, options_); }));
-    const PlanarMap& map = vectorizer_.map();
-    const View view = View::fit(map.lattice, out_.width(), out_.height());
+    const MapByEdge map = vectorizer_.by_edge();
+    const View view = View::fit(map.edges.lattice, out_.width(), out_.height());
     draw_.push_back(
         time_ms([&] { raster_.draw(map, view, options_.linear_light, options_.threads, out_.target()); }));
     scale_.push_back(time_ms([&] { xbr_.run(); }));

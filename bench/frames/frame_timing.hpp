@@ -27,7 +27,8 @@ struct FrameTiming {
   double xbr4_ms = 0;    ///< libavfilter's xbr=n=4
   std::array<double, VectorizeStats::kStages> stage_ms{};
 
-  double both_ms() const { return vectorize_ms + raster_ms; }
+  /// From frame to pixels, which takes all stages but the last: the list of segments is for other readers.
+  double both_ms() const { return vectorize_ms - stage_ms.back() + raster_ms; }
   double vectorize_ratio() const { return vectorize_ms / xbr4_ms; }
   double both_ratio() const { return both_ms() / xbr4_ms; }
 };

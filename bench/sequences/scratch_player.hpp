@@ -14,12 +14,11 @@ class ScratchPlayer {
     options_.threads = threads;
   }
 
-  void vectorize(const FrameView& frame) { vectorizer_.vectorize(frame, options_); }
+  void vectorize(const FrameView& frame) { vectorizer_.vectorize_by_edge(frame, options_); }
   /// Draws all of the frame vectorized last.
   void draw() {
-    const PlanarMap& map = vectorizer_.map();
-    raster_.draw(map, View::fit(map.lattice, out_.width(), out_.height()), options_.linear_light,
-                 options_.threads, out_.target());
+    const View view = View::fit(vectorizer_.cells().lattice, out_.width(), out_.height());
+    raster_.draw(vectorizer_.by_edge(), view, options_.linear_light, options_.threads, out_.target());
   }
 
  private:

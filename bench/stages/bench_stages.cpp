@@ -76,15 +76,15 @@ void splines(benchmark::State& state, const Subject& subject) {
 void map(benchmark::State& state, const Subject& subject) {
   PlanarMap built;
   const Vectorizer& done = subject.done;
-  while (state.KeepRunning()) build_planar_map(done.edges(), done.table(), done.cells().colours, built);
+  while (state.KeepRunning()) build_planar_map(done.by_edge(), built);
 }
 
 void raster(benchmark::State& state, const Subject& subject) {
   CpuRaster raster;
   Picture out(subject.picture.width() * kScale, subject.picture.height() * kScale);
-  const PlanarMap& built = subject.done.map();
-  const View view = View::fit(built.lattice, out.width(), out.height());
-  while (state.KeepRunning()) raster.draw(built, view, kOptions.linear_light, 1, out.target());
+  const Vectorizer& done = subject.done;
+  const View view = View::fit(done.cells().lattice, out.width(), out.height());
+  while (state.KeepRunning()) raster.draw(done.by_edge(), view, kOptions.linear_light, 1, out.target());
 }
 
 void register_frame(const std::filesystem::path& file) {

@@ -390,10 +390,7 @@ void IncrementalVectorizer::compare() {
 }
 
 const PlanarMap& IncrementalVectorizer::map() const {
-  if (!is_map_made_) {
-    build_planar_map(edges_, table_, cells_.colours, map_);
-    map_.shading = shading_;
-  }
+  if (!is_map_made_) build_planar_map(by_edge(), map_);
   is_map_made_ = true;
   return map_;
 }

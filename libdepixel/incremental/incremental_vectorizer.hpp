@@ -41,6 +41,7 @@ class IncrementalVectorizer {
   const Lattice& lattice() const { return graph_.lattice(); }
   /// True where nothing of the frame lets anything through.
   bool is_opaque() const { return is_opaque_; }
+  MapByEdge by_edge() const { return {edges_, table_, cells_.colours, shading_}; }
   /// The map as a list of segments; made when it is asked for, and kept until the next frame.
   const PlanarMap& map() const;
   const VectorizeStats& stats() const { return stats_; }

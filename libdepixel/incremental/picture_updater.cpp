@@ -60,7 +60,7 @@ void PictureUpdater::draw(const IncrementalVectorizer& source, const MapChanges&
       is_kept && now == drawn_ && !changes.everything && view.scale_x >= 1 && view.scale_y >= 1;
   drawn_ = now;
   if (!is_update) {
-    raster_.draw(source.map(), view, linear_light, threads, target);
+    raster_.draw(source.by_edge(), view, linear_light, threads, target);
     drawn_pixels_ = std::int64_t{target.width} * target.height;
     return;
   }

@@ -1,8 +1,20 @@
 #include "libdepixel/pipeline/vectorizer.hpp"
 
+#include "libdepixel/core/stopwatch.hpp"
+
 namespace depixel {
 
 const PlanarMap& Vectorizer::vectorize(const FrameView& frame, const Options& options) {
+  vectorize_by_edge(frame, options);
+  {
+    const Stopwatch time(stats_.stage_ns[5]);
+    build_planar_map(by_edge(), map_);
+  }
+  stats_.memory_bytes = memory_bytes();
+  return map_;
+}
+
+void Vectorizer::vectorize_by_edge(const FrameView& frame, const Options& options) {
   const bool merges = options.has_whole_components();
   workers_.set_threads(options.threads);
   StageClock clock(stats_);
@@ -29,19 +41,16 @@ const PlanarMap& Vectorizer::vectorize(const FrameView& frame, const Options& op
   fit(options);
   clock.finish(4);
 
-  build_planar_map(edges_, table_, cells_.colours, map_);
-  build_shading(graph_, cells_, options, map_.shading);
+  build_shading(graph_, cells_, options, shading_);
   clock.finish(5);
 
   stats_.pixels = frame.width * frame.height;
   stats_.contours = static_cast<int>(contours_.list.size());
   stats_.nodes = static_cast<int>(contours_.corner.size());
   stats_.arcs = static_cast<int>(arcs_.list.size());
-  stats_.segments = static_cast<int>(map_.segments.size());
   stats_.changed_pixels = stats_.changed_tiles = stats_.pixels;
   stats_.stale_corners = (frame.width + 1) * (frame.height + 1);
   stats_.memory_bytes = memory_bytes();
-  return map_;
 }
 
 void Vectorizer::fit(const Options& options) {
@@ -51,8 +60,10 @@ void Vectorizer::fit(const Options& options) {
   table_.clear();
   for (Arc& arc : arcs_.list) arc.place = table_.place_of(arcs_.words(arc), arc.kind);
   stats_.fitted_shapes = table_.fit_added(options.smoothing, workers_);
+  stats_.segments = 0;
   for (const Arc& arc : arcs_.list) {
     for_each_edge(arcs_, arc, table_, step, [&](int slot, int number) { edges_.curve[slot] = number; });
+    stats_.segments += arc.step_count();
   }
   for_each_joint(contours_, cells_, [&](int corner) {
     const JoinedEdge joined = join_at(corner, cells_, edges_, table_);
@@ -63,7 +74,7 @@ void Vectorizer::fit(const Options& options) {
 std::size_t Vectorizer::memory_bytes() const {
   return graph_.memory_bytes() + crossings_.memory_bytes() + components_.memory_bytes() +
          cells_.memory_bytes() + held_bytes(thin_) + contours_.memory_bytes() + arcs_.memory_bytes() +
-         table_.memory_bytes() + edges_.memory_bytes() + map_.memory_bytes();
+         table_.memory_bytes() + edges_.memory_bytes() + shading_.memory_bytes() + map_.memory_bytes();
 }
 
 }  // namespace depixel

@@ -58,6 +58,8 @@ class Vectorizer {
   /// \param frame  at least 1x1 pixels; read during the call only.
   /// \return the planar map, valid until the next call. It does not depend on the number of threads.
   const PlanarMap& vectorize(const FrameView& frame, const Options& options);
+  /// Runs all stages but the last: the map by edge is all that a rasteriser needs.
+  void vectorize_by_edge(const FrameView& frame, const Options& options);
 
   const SimilarityGraph& graph() const { return graph_; }  ///< resolved
   const Components& components() const { return components_; }
@@ -66,6 +68,8 @@ class Vectorizer {
   const Arcs& arcs() const { return arcs_; }
   const SplineTable& table() const { return table_; }
   const EdgeMap& edges() const { return edges_; }
+  MapByEdge by_edge() const { return {edges_, table_, cells_.colours, shading_}; }
+  /// The map as a list of segments, of the last call of vectorize().
   const PlanarMap& map() const { return map_; }
   const VectorizeStats& stats() const { return stats_; }
 
@@ -83,6 +87,7 @@ class Vectorizer {
   Arcs arcs_;
   SplineTable table_;
   EdgeMap edges_;
+  Shading shading_;
   PlanarMap map_;
   VectorizeStats stats_;
 };

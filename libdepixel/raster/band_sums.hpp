@@ -18,7 +18,7 @@ namespace depixel {
 /// A line that goes down adds, to every pixel it crosses, its colour change times the area to its right
 /// inside the pixel, and to the next pixel the rest of the height it covers; a running sum along the row then
 /// gives the colours. All sums are integers. Source: font-rs.
-template <typename Model, int kRowCount = 16>
+template <typename Model, int kRowCount = 32>
 class BandSums {
  public:
   using Sums = typename Model::Sums;
@@ -85,13 +85,22 @@ class BandSums {
   /// \param before  the sum of all sums left of the row.
   void resolve(int row, std::uint8_t* out, Sums before, int from, int to) {
     RowState state{sums_.data() + row * stride(), out, before, Model::decode(before), from, to};
-    touched_.for_each(row, width_, [&](int first) {
-      if (first >= from && first + kGroup <= to) {
+    touched_.for_each_flags(row, width_, [&](int first, std::uint64_t flags) {
+      // Where several are touched, all are taken, if that takes little: which they are cannot be foretold.
+      constexpr int kAll = TouchedGroups::kAtOnce * kGroup;
+      if (kDecodesFour<Model> && TouchedGroups::count(flags) > 1 && first >= from && first + kAll <= to) {
         fill(state, first);
-        resolve_whole(state, first);
-      } else {
-        resolve_part(state, first);
+        resolve_whole(state, first, TouchedGroups::kAtOnce);
+        return;
       }
+      TouchedGroups::for_each_group(first, flags, [&](int group) {
+        if (group >= from && group + kGroup <= to) {
+          fill(state, group);
+          resolve_whole(state, group, 1);
+        } else {
+          resolve_part(state, group);
+        }
+      });
     });
     touched_.forget(row);
     fill(state, to);
@@ -136,33 +145,39 @@ class BandSums {
     fill(state, std::min(first + kGroup, state.end));
   }
 
-  void resolve_whole(RowState& state, int first) const {
-    Sums* sums = state.sums + first;
-    const Sums a = state.running + sums[0], b = a + sums[1], c = b + sums[2], d = c + sums[3];
+  /// Takes some groups that follow each other.
+  void resolve_whole(RowState& state, int first, int groups) const {
     static_assert(kGroup == 4);
-    const Byte16 four = decode_four<Model>(a, b, c, d);
-    store_vector(state.out + 4 * std::size_t(first), four);
-    std::fill_n(sums, kGroup, Sums{});
-    state.running = d;
+    Sums running = state.running;
+    Byte16 four{};
+    for (int x = first; x < first + groups * kGroup; x += kGroup) {
+      Sums* sums = state.sums + x;
+      const Sums a = running + sums[0], b = a + sums[1], c = b + sums[2], d = c + sums[3];
+      four = decode_four<Model>(a, b, c, d);
+      store_vector(state.out + 4 * std::size_t(x), four);
+      std::fill_n(sums, kGroup, Sums{});
+      running = d;
+    }
+    state.running = running;
     state.colour = std::bit_cast<std::array<Rgba, kGroup>>(four).back();
-    state.done = first + kGroup;
+    state.done = first + groups * kGroup;
   }
 
   /// What a pixel leaves to the next is carried along.
   void add_slice(const LineSlicer::Slice& slice, const Change& change) {
     Sums* sums = sums_.data() + slice.row * stride();
+    std::uint8_t* touched = touched_.row(slice.row);
     Sums carried{};
     int end = 0, left = 0;
     slice.for_each_pixel([&](int column, int height, int area) {
       sums[column] += carried + Model::times(change, 2 * kRasterSubpixels * height - area);
       carried = Model::times(change, area);
-      touched_.touch(slice.row, column);
+      TouchedGroups::touch(touched, column);
       end = column + 1;
       left = area;
     });
-    if (left == 0) return;
     sums[end] += carried;
-    touched_.touch(slice.row, end);
+    TouchedGroups::touch(touched, end - (left == 0 ? 1 : 0));
   }
 
   int width_ = 0;

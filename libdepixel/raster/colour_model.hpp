@@ -19,11 +19,17 @@ namespace depixel {
 ///   encode(c), change(from, to), times(change, factor), decode(sums)
 /// where decode() takes a colour times kFullCoverage.
 
+/// Whether a model has a decode() of four sums, which takes little.
+template <typename Model>
+constexpr bool kDecodesFour = requires(const typename Model::Sums& sums) {
+  Model::decode(sums, sums, sums, sums);
+};
+
 /// Four colours at once, by any model.
 template <typename Model>
 Byte16 decode_four(const typename Model::Sums& a, const typename Model::Sums& b,
                    const typename Model::Sums& c, const typename Model::Sums& d) {
-  if constexpr (requires { Model::decode(a, b, c, d); }) {
+  if constexpr (kDecodesFour<Model>) {
     return Model::decode(a, b, c, d);
   } else {
     return std::bit_cast<Byte16>(

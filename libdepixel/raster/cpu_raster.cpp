@@ -7,22 +7,35 @@
 namespace depixel {
 namespace {
 
-constexpr int kBandHeight = BandSums<OpaqueColour>::kRows * kRasterSubpixels;
+constexpr int kBandRows = BandSums<OpaqueColour>::kRows;
+constexpr int kBandHeight = kBandRows * kRasterSubpixels;
+
+int bands_of(const OutputGrid& grid) {
+  return (grid.target.height + kBandRows - 1) / kBandRows;
+}
+
+/// How far a segment reaches upwards and downwards, in subpixels of the source.
+struct Reach {
+  explicit Reach(const Segment& s)
+      : top(std::min(std::min(s.p0.y, s.p1.y), std::min(s.p2.y, s.p3.y))),
+        bottom(std::max(std::max(s.p0.y, s.p1.y), std::max(s.p2.y, s.p3.y))) {}
+
+  int top, bottom;
+};
 
 }  // namespace
 
-/// Counting sort of the segments by the bands they touch. Level segments are left out: they change no sum.
+/// Counting sort of the segments by the bands they touch. Level segments are left out.
 void CpuRaster::sort_into_bands(const PlanarMap& map, const OutputGrid& grid, int bands) {
   const std::vector<Segment>& segments = map.segments;
   ranges_.resize(segments.size());
   first_.assign(bands + 1, 0);
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    const Segment& s = segments[i];
-    const int low = grid.y(std::min(std::min(s.p0.y, s.p1.y), std::min(s.p2.y, s.p3.y)));
-    const int high = grid.y(std::max(std::max(s.p0.y, s.p1.y), std::max(s.p2.y, s.p3.y)));
-    const bool is_seen = low < high && high > 0 && low < bands * kBandHeight;
+    const Reach reach(segments[i]);
+    const int top = grid.y(reach.top), bottom = grid.y(reach.bottom);
+    const bool is_seen = top < bottom && bottom > 0 && top < bands * kBandHeight;
     ranges_[i] =
-        is_seen ? BandRange{std::max(low, 0) / kBandHeight, std::min((high - 1) / kBandHeight, bands - 1)}
+        is_seen ? BandRange{std::max(top, 0) / kBandHeight, std::min((bottom - 1) / kBandHeight, bands - 1)}
                 : BandRange{0, -1};
     for (int band = ranges_[i].from; band <= ranges_[i].to; ++band) ++first_[band + 1];
   }
@@ -35,21 +48,43 @@ void CpuRaster::sort_into_bands(const PlanarMap& map, const OutputGrid& grid, in
   }
 }
 
-template <typename Sums>
-void CpuRaster::draw_band(const PlanarMap& map, const std::vector<Rgba>& colours, const OutputGrid& grid,
-                          int band, Sums& sums) const {
-  const Lattice& lattice = map.lattice;
-  const int first_row = band * Sums::kRows;
-  const int rows = std::min(Sums::kRows, grid.target.height - first_row);
+template <typename Visit>
+void CpuRaster::for_each_in_band(const PlanarMap& map, const OutputGrid&, int band, Visit visit) const {
+  for (int i = first_[band]; i < first_[band + 1]; ++i) visit(map.segments[order_[i]]);
+}
+
+/// No curve reaches a pixel beyond its edge, so only a few rows of corners matter. Level segments do not.
+template <typename Visit>
+void CpuRaster::for_each_in_band(const MapByEdge& map, const OutputGrid& grid, int band, Visit visit) const {
+  // In subpixels of the source.
+  const std::int64_t top = grid.y.first_at(band * kBandHeight + 1);
+  const std::int64_t bottom = grid.y.first_at((band + 1) * kBandHeight);
+  const std::int64_t height = grid.lattice.height();
+  const auto first = static_cast<int>(std::clamp<std::int64_t>(top / kSubpixels - 1, 0, height));
+  const auto last = static_cast<int>(std::clamp<std::int64_t>(bottom / kSubpixels + 1, 0, height));
+  for (int y = first; y <= last; ++y) {
+    for_each_segment(map, y, [&](const Segment& s) {
+      const Reach reach(s);
+      if (reach.top < reach.bottom && reach.bottom >= top && reach.top < bottom) visit(s);
+    });
+  }
+}
+
+template <typename Map, typename Sums>
+void CpuRaster::draw_band(const Map& map, const std::vector<Rgba>& colours, const OutputGrid& grid, int band,
+                          Sums& sums) const {
+  static_assert(Sums::kRows == kBandRows);
+  const Lattice& lattice = grid.lattice;
+  const int first_row = band * kBandRows;
+  const int rows = std::min(kBandRows, grid.target.height - first_row);
   sums.resize(grid.target.width);
   sums.start(first_row, rows);
-  for (int i = first_[band]; i < first_[band + 1]; ++i) {
-    const Segment& s = map.segments[order_[i]];
+  for_each_in_band(map, grid, band, [&](const Segment& s) {
     const auto change = Sums::change(colours[s.right], colours[s.left]);
     flatten(grid(s.p0), grid(s.p1), grid(s.p2), grid(s.p3),
             flattening_pieces(s.p0, s.p1, s.p2, s.p3, grid.scale),
             [&](glm::ivec2 a, glm::ivec2 b) { sums.add_line(a.x, a.y, b.x, b.y, change); });
-  }
+  });
   // The border: on the left, the picture begins; on the right, it ends.
   const int west = grid.column(0), east = grid.column(lattice.width());
   const int top = first_row * kRasterSubpixels, bottom = top + rows * kRasterSubpixels;
@@ -64,15 +99,13 @@ void CpuRaster::draw_band(const PlanarMap& map, const std::vector<Rgba>& colours
   }
 }
 
-template <typename Model>
-void CpuRaster::draw_bands(const PlanarMap& map, const std::vector<Rgba>& colours, const OutputGrid& grid,
-                           int bands) {
+template <typename Model, typename Map>
+void CpuRaster::draw_bands(const Map& map, const std::vector<Rgba>& colours, const OutputGrid& grid) {
   auto& sums = std::get<std::vector<RasterSums<Model>>>(sums_);
   const auto threads = static_cast<std::size_t>(workers_.threads());
   if (sums.size() < threads) sums.resize(threads);
-  workers_.run(bands, [&](int band, int thread) {
-    const int first_row = band * BandSums<Model>::kRows;
-    const int end_row = std::min(first_row + BandSums<Model>::kRows, grid.target.height);
+  workers_.run(bands_of(grid), [&](int band, int thread) {
+    const int first_row = band * kBandRows, end_row = std::min(first_row + kBandRows, grid.target.height);
     if (map.shading.any && field_.is_shaded(first_row, end_row)) {
       sums[thread].shaded.shade_by(field_, 0);
       draw_band(map, colours, grid, band, sums[thread].shaded);
@@ -82,22 +115,33 @@ void CpuRaster::draw_bands(const PlanarMap& map, const std::vector<Rgba>& colour
   });
 }
 
+template <typename Map>
+void CpuRaster::draw_by_model(const Map& map, const OutputGrid& grid, bool linear_light) {
+  const std::vector<Rgba>& colours = colours_.of(map.colours, grid.target.order);
+  if (map.shading.any)
+    field_.start(map.shading, colours, shades_.of(map.shading.shades, grid.target.order), grid);
+  if (grid.covers_target() && is_opaque(grid.lattice, map.colours)) {
+    linear_light ? draw_bands<OpaqueLight>(map, colours, grid) : draw_bands<OpaqueColour>(map, colours, grid);
+  } else {
+    linear_light ? draw_bands<Translucent<true>>(map, colours, grid)
+                 : draw_bands<Translucent<false>>(map, colours, grid);
+  }
+}
+
+void CpuRaster::draw(const MapByEdge& map, const View& view, bool linear_light, int threads,
+                     const PictureView& target) {
+  if (target.width <= 0 || target.height <= 0) return;
+  workers_.set_threads(threads);
+  draw_by_model(map, OutputGrid(view, map.edges.lattice, target), linear_light);
+}
+
 void CpuRaster::draw(const PlanarMap& map, const View& view, bool linear_light, int threads,
                      const PictureView& target) {
   if (target.width <= 0 || target.height <= 0) return;
   workers_.set_threads(threads);
   const OutputGrid grid(view, map.lattice, target);
-  const int bands = (target.height + BandSums<OpaqueColour>::kRows - 1) / BandSums<OpaqueColour>::kRows;
-  sort_into_bands(map, grid, bands);
-  const std::vector<Rgba>& colours = colours_.of(map.colours, target.order);
-  if (map.shading.any) field_.start(map.shading, colours, shades_.of(map.shading.shades, target.order), grid);
-  if (grid.covers_target() && is_opaque(map.lattice, map.colours)) {
-    linear_light ? draw_bands<OpaqueLight>(map, colours, grid, bands)
-                 : draw_bands<OpaqueColour>(map, colours, grid, bands);
-  } else {
-    linear_light ? draw_bands<Translucent<true>>(map, colours, grid, bands)
-                 : draw_bands<Translucent<false>>(map, colours, grid, bands);
-  }
+  sort_into_bands(map, grid, bands_of(grid));
+  draw_by_model(map, grid, linear_light);
 }
 
 std::size_t CpuRaster::memory_bytes() const {

@@ -35,6 +35,9 @@ class CpuRaster {
   /// \param view          coordinates of the frame's edges in the output stay below 2^22 pixels.
   /// \param linear_light  blend colours in linear light instead of in sRGB values.
   /// Cost: linear in segments and target pixels; pixels that no curve crosses cost a store.
+  void draw(const MapByEdge& map, const View& view, bool linear_light, int threads,
+            const PictureView& target);
+  /// The same of any list of segments. Takes 12 bytes and more a segment to sort them.
   void draw(const PlanarMap& map, const View& view, bool linear_light, int threads,
             const PictureView& target);
 
@@ -46,10 +49,16 @@ class CpuRaster {
   };
 
   void sort_into_bands(const PlanarMap& map, const OutputGrid& grid, int bands);
-  template <typename Model>
-  void draw_bands(const PlanarMap& map, const std::vector<Rgba>& colours, const OutputGrid& grid, int bands);
-  template <typename Sums>
-  void draw_band(const PlanarMap& map, const std::vector<Rgba>& colours, const OutputGrid& grid, int band,
+  template <typename Visit>
+  void for_each_in_band(const PlanarMap& map, const OutputGrid& grid, int band, Visit visit) const;
+  template <typename Visit>
+  void for_each_in_band(const MapByEdge& map, const OutputGrid& grid, int band, Visit visit) const;
+  template <typename Map>
+  void draw_by_model(const Map& map, const OutputGrid& grid, bool linear_light);
+  template <typename Model, typename Map>
+  void draw_bands(const Map& map, const std::vector<Rgba>& colours, const OutputGrid& grid);
+  template <typename Map, typename Sums>
+  void draw_band(const Map& map, const std::vector<Rgba>& colours, const OutputGrid& grid, int band,
                  Sums& sums) const;
 
   Workers workers_;

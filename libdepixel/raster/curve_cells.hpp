@@ -24,7 +24,7 @@ class CurveCells {
     std::int32_t place, factor;
   };
 
-  static constexpr int kLargestScale = BandSums<OpaqueColour>::kRows;
+  static constexpr int kLargestScale = 16;
 
   static bool fits(const OutputGrid& grid) {
     const int x = grid.x.whole_scale(), y = grid.y.whole_scale();

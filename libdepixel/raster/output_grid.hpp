@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -23,6 +24,12 @@ class ToOutput {
   std::int64_t source(int output_subpixels) const {
     const std::int64_t to = output_subpixels * kOne - (offset_ - kOne / 2);
     return to >= 0 ? to / factor_ : (to + 1) / factor_ - 1;
+  }
+  /// The first of the source's subpixels that is mapped to a subpixel of the output, or beyond it.
+  std::int64_t first_at(int output_subpixels) const {
+    const std::int64_t wanted = output_subpixels * kOne - offset_,
+                       factor = std::max<std::int64_t>(factor_, 1);
+    return wanted / factor + (wanted % factor > 0 ? 1 : 0);
   }
 
   /// Output pixels to a source pixel if these are whole and begin on whole output pixels, else 0: then all

@@ -48,7 +48,7 @@ class RegionMix {
 template <typename Model>
 class RegionSums {
  public:
-  static constexpr int kRows = 16;
+  static constexpr int kRows = 32;
 
   struct Change {
     Rgba from, to;
@@ -82,7 +82,7 @@ class RegionSums {
         int& last = last_part_[slice.row * stride() + column];
         parts_.push_back({change, height, area, last});
         last = static_cast<int>(parts_.size()) - 1;
-        touched_.touch(slice.row, column);
+        TouchedGroups::touch(touched_.row(slice.row), column);
       });
     });
   }

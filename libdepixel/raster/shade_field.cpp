@@ -131,8 +131,13 @@ Rgba ShadeField::at(int column, int row, Rgba region) const {
 
 void ShadeField::fill(int row, int from, int to, Rgba region, std::uint8_t* out) const {
   const Place& y = rows_[row];
+  const std::uint8_t* blocks = shading_->blocks.data() + lattice_.corner(0, y.line);
   for (int x = from; x < to;) {
     const int line = columns_[x].line;
+    if (blocks[line] == 0) {
+      for (; x < to && blocks[columns_[x].line] == 0; ++x) store(out, x, region);
+      continue;
+    }
     const Mixture here = mixture(lattice_.corner(line, y.line), region);
     if (here.is_even) {
       for (; x < to && columns_[x].line == line; ++x) store(out, x, here.colour);

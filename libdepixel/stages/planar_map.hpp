@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "libdepixel/core/memory.hpp"
@@ -60,11 +62,42 @@ inline Segment segment_of(const EdgeCurve& curve, glm::ivec2 corner_position, in
           sides.right};
 }
 
-/// Writes a map out (stage 6 of 6).
-/// \param colours  of the cells, padded.
-/// The map's shading stays as it is.
+/// A frame's planar map as the stages make it: what a PlanarMap lists, without the list, of which a segment
+/// takes more memory than all that is kept of an edge.
+struct MapByEdge {
+  const EdgeMap& edges;
+  const SplineTable& table;
+  const std::vector<Rgba>& colours;  ///< of the cells, padded
+  const Shading& shading;
+};
+
+/// Calls visit(segment) for the edges that leave a row of corners, in order. Which are visible cannot be
+/// foretold, so some are listed first, without branches, and their curves are fetched meanwhile.
+template <typename Visit>
+void for_each_segment(const MapByEdge& map, int y, Visit visit) {
+  constexpr int kCornersAtOnce = 32;
+  const Lattice& lattice = map.edges.lattice;
+  std::array<int, 2 * kCornersAtOnce> visible;
+  for (int first = 0; first <= lattice.width(); first += kCornersAtOnce) {
+    const int corner = lattice.corner(first, y),
+              slots = 2 * std::min(kCornersAtOnce, lattice.width() + 1 - first);
+    const int* curve = map.edges.curve.data() + edge_slot(corner, false);
+    int count = 0;
+    for (int slot = 0; slot < slots; ++slot) {
+      visible[count] = slot;
+      count += curve[slot] != 0 ? 1 : 0;
+      map.table.prefetch(curve[slot]);
+    }
+    for (int i = 0; i < count; ++i) {
+      const int slot = visible[i], along = slot / 2;
+      visit(segment_of(map.table.curve(curve[slot]), {first + along, y}, corner + along, slot % 2 != 0,
+                       lattice.stride()));
+    }
+  }
+}
+
+/// Writes a map out (stage 6 of 6), for readers that want a list.
 /// Cost: linear in corners. Source: Schapfel, section 4.5.
-void build_planar_map(const EdgeMap& edges, const SplineTable& table, const std::vector<Rgba>& colours,
-                      PlanarMap& map);
+void build_planar_map(const MapByEdge& from, PlanarMap& map);
 
 }  // namespace depixel

@@ -42,6 +42,8 @@ class SplineTable {
   int fitted(int number) const { return fitted_[number]; }
 
   const EdgeCurve& curve(int number) const { return curves_[number]; }
+  /// Fetches a curve that will be asked for.
+  void prefetch(int number) const { __builtin_prefetch(curves_.data() + number); }
   TileMask tiles(int number) const { return tiles_[number]; }
   /// Counts calls of clear(): numbers of other generations are of other curves.
   unsigned generation() const { return generation_; }

@@ -288,6 +288,17 @@ RC_GTEST_PROP(CpuRaster, ThreadsAndBuffersLeaveNoTrace, (const Picture& picture,
   RC_ASSERT(again == expected);
 }
 
+RC_GTEST_PROP(CpuRaster, DrawsTheSameByEdgeAsFromAList, (const Picture& picture)) {
+  Vectorizer vectorizer;
+  const PlanarMap& list = vectorizer.vectorize(picture.view(), *random_options());
+  View view = *random_view();
+  view.scale_y *= *rc::gen::element(1.0, 0.01, 20.0);
+  const bool linear_light = *rc::gen::arbitrary<bool>();
+  Picture by_edge(41, 70, {1, 2, 3, 4});
+  CpuRaster().draw(vectorizer.by_edge(), view, linear_light, 1, by_edge.target());
+  RC_ASSERT(by_edge == draw(list, view, 41, 70, linear_light));
+}
+
 TEST(CpuRaster, EmptyTargetsAreLeftAlone) {
   const PlanarMap map = square_map(Picture(2, 2, palette_colour('g')));
   CpuRaster().draw(map, {1, 1, 0, 0}, false, 1, {nullptr, 0, 5, 0});
