@@ -110,6 +110,15 @@ constexpr std::array<NamedSpline, 3> kSplines{{{SplineKind::adaptive, "adaptive"
                                                {SplineKind::approximate, "approximate"},
                                                {SplineKind::interpolate, "interpolate"}}};
 
+/// The defaults but for an option or two.
+struct Variant {
+  std::string_view name;
+  void (*change)(Options&);
+};
+constexpr std::array<Variant, 2> kVariants{
+    {{"merge", [](Options& o) { o.similarity = Similarity::merge; }},
+     {"no votes", [](Options& o) { o.curve_weight = o.sparse_weight = o.island_weight = 0; }}}};
+
 }  // namespace
 
 std::vector<Upscaler> all_upscalers() {
@@ -122,6 +131,11 @@ std::vector<Upscaler> all_upscalers() {
       options.spline = spline.value;
       all.push_back(ours(fmt::format("depixel {} {}", smoothing.name, spline.name), options));
     }
+  }
+  for (const auto& variant : kVariants) {
+    Options options;
+    variant.change(options);
+    all.push_back(ours(fmt::format("depixel {}", variant.name), options));
   }
   return all;
 }

@@ -18,8 +18,8 @@ struct Upscaler {
   std::function<int(const Picture&)> count_lost_centres;
 };
 
-/// Nearest, hqx, xbr and xBRZ, and ours with every smoothing and spline. The rivals reach scales beyond their
-/// own in several steps.
+/// Nearest, hqx, xbr and xBRZ, and ours with every smoothing and spline and with other options. The rivals
+/// reach scales beyond their own in several steps.
 std::vector<Upscaler> all_upscalers();
 
 }  // namespace depixel::bench
