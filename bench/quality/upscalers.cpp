@@ -115,8 +115,9 @@ struct Variant {
   std::string_view name;
   void (*change)(Options&);
 };
-constexpr std::array<Variant, 2> kVariants{
-    {{"merge", [](Options& o) { o.similarity = Similarity::merge; }},
+constexpr std::array<Variant, 3> kVariants{
+    {{"continuity", [](Options& o) { o.curve_rule = CurveRule::continuity; }},
+     {"merge", [](Options& o) { o.similarity = Similarity::merge; }},
      {"no votes", [](Options& o) { o.curve_weight = o.sparse_weight = o.island_weight = 0; }}}};
 
 }  // namespace

@@ -10,7 +10,7 @@ const PlanarMap& Vectorizer::vectorize(const FrameView& frame, const Options& op
   build_similarity_graph(frame, options.similarity, options.connect_lines, graph_);
   clock.finish(0);
 
-  const CrossingVotes votes{options.curve_weight, options.sparse_weight, options.island_weight};
+  const CrossingVotes votes = CrossingVotes::of(options);
   stats_.crossings = resolve_crossings(graph_, votes, crossings_);
   clock.finish(1);
 
