@@ -30,7 +30,7 @@ enum class Rule : std::uint8_t {
   edges_by_codes,      ///< whether an edge is visible: the codes of its corners
   curves_by_codes,     ///< the curves of a contour: the codes of all its corners
   curves_by_thin,      ///< the curves of a contour: the thin pixels along it
-  curves_by_seams,     ///< the curves of a contour: how it goes on beyond a seam
+  curves_by_seams,     ///< the curves of a contour: how it goes on beyond a seam, and what is thin there
   joints_by_curves,    ///< where a contour ends at a T-junction: the curves of the one that goes through
   tiles_by_curves,     ///< what a tile shows: the curves in it, before and now
   tiles_by_colours,    ///< what a tile shows: its pixel's colour
