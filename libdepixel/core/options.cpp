@@ -9,6 +9,7 @@ constexpr std::array<std::string_view, 2> kSimilarityNames{"exact", "merge"};
 constexpr std::array<std::string_view, 3> kSplineNames{"adaptive", "approximate", "interpolate"};
 constexpr std::array<std::string_view, 3> kSmoothingNames{"energy", "average", "none"};
 constexpr std::array<std::string_view, 3> kShadingNames{"none", "gradient", "blur"};
+constexpr std::array<std::string_view, 2> kCurveRuleNames{"valence", "continuity"};
 
 template <auto Member>
 ChoiceOption choice(std::span<const std::string_view> names) {
@@ -24,13 +25,17 @@ constexpr int kMaxThreads = 256;
 }  // namespace
 
 std::span<const OptionInfo> option_table() {
-  static const std::array<OptionInfo, 11> kTable{{
+  static const std::array<OptionInfo, 12> kTable{{
       {"similarity", "Pixels belong together when their colours are equal (exact) or alike (merge)",
        choice<&Options::similarity>(kSimilarityNames)},
       {"connect-lines", "Join lines of similar colour across diagonals",
        SwitchOption{&Options::connect_lines}},
       {"spline", "How splines follow the cell graph", choice<&Options::spline>(kSplineNames)},
       {"smoothing", "How staircases are removed", choice<&Options::smoothing>(kSmoothingNames)},
+      {"curve-rule",
+       "How far curves go for their vote: through pixels with two links (valence), or straight on at "
+       "junctions of lines too (continuity)",
+       choice<&Options::curve_rule>(kCurveRuleNames)},
       {"curve-weight", "Weight of the longer curve's vote at a crossing",
        NumberOption{&Options::curve_weight, 0.0, kMaxWeight}},
       {"sparse-weight", "Weight of the sparser component's vote at a crossing",

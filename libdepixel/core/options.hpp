@@ -10,6 +10,7 @@ enum class Similarity { exact, merge };
 enum class SplineKind { adaptive, approximate, interpolate };
 enum class Smoothing { energy, average, none };
 enum class ShadingKind { none, gradient, blur };
+enum class CurveRule { valence, continuity };
 
 /// Everything that a user can choose about vectorizing and drawing. The defaults are the best-scoring ones.
 struct Options {
@@ -17,6 +18,7 @@ struct Options {
   bool connect_lines = false;
   SplineKind spline = SplineKind::interpolate;
   Smoothing smoothing = Smoothing::energy;
+  CurveRule curve_rule = CurveRule::valence;
   double curve_weight = 1.0;
   double sparse_weight = 1.0;
   double island_weight = 5.0;

@@ -43,7 +43,7 @@ void IncrementalGraph::reset(const Lattice& lattice) {
 
 void IncrementalGraph::update(const FrameView& frame, const Options& options, const BlockMoves& blocks,
                               RuleSet rules) {
-  const CrossingVotes votes{options.curve_weight, options.sparse_weight, options.island_weight};
+  const CrossingVotes votes = CrossingVotes::of(options);
   is_new_ = false;
   if (options.has_whole_components()) {
     stale_.reset(blocks.grid());
@@ -109,10 +109,11 @@ void IncrementalGraph::relink() {
   }
 }
 
-/// Pixels on either side of the seams with a link across and one other: parts of curves. Where neither of two
-/// linked pixels is, no curve goes on.
-void IncrementalGraph::find_seams(const BlockMoves& blocks) {
+/// Pixels on either side of the seams with a link across and few others: parts of curves. Where neither of
+/// two linked pixels is, no curve goes on.
+void IncrementalGraph::find_seams(const BlockMoves& blocks, CurveRule curve_rule) {
   seams_.clear();
+  const int most_links = CurveWalk::most_links(curve_rule);
   const BlockGrid& grid = blocks.grid();
   for (const auto& [column, row, step] : blocks.seams()) {
     const auto side = [](int step_along, int first, int end) {
@@ -127,7 +128,7 @@ void IncrementalGraph::find_seams(const BlockMoves& blocks) {
       for (int x = across[0]; x < across[1]; ++x) {
         const int pixel = graph_.lattice.pixel(x, y);
         const std::uint8_t neighbours = frozen_.neighbours(pixel);
-        if ((neighbours & mask) != 0 && std::popcount(neighbours) == 2) seams_.push_back(pixel);
+        if ((neighbours & mask) != 0 && std::popcount(neighbours) <= most_links) seams_.push_back(pixel);
       }
     }
   }
@@ -146,9 +147,9 @@ void IncrementalGraph::resolve_all(const CrossingVotes& votes) {
 
 /// Crossings whose votes may have changed; outside of near blocks, these alone make others stale.
 void IncrementalGraph::resolve_some(const CrossingVotes& votes, const BlockMoves& blocks, RuleSet rules) {
-  find_seams(blocks);
+  find_seams(blocks, votes.curve_rule);
   const std::vector<int>& crossings =
-      stale_crossings_.find(frozen_, near_, seams_, rules, crossings_.neighbours);
+      stale_crossings_.find(frozen_, near_, seams_, votes.curve_rule, rules, crossings_.neighbours);
   before_.clear();
   for (const int block : crossings) before_.push_back(graph_.links[block]);
   thaw();

@@ -49,7 +49,7 @@ class IncrementalGraph {
   void find_near(const BlockMoves& blocks, RuleSet rules);
   void take_changed(const FrameView& frame, const BlockMoves& blocks);
   void relink();
-  void find_seams(const BlockMoves& blocks);
+  void find_seams(const BlockMoves& blocks, CurveRule curve_rule);
   void resolve_all(const CrossingVotes& votes);
   void resolve_some(const CrossingVotes& votes, const BlockMoves& blocks, RuleSet rules);
   void thaw();

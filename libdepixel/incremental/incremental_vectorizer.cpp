@@ -260,22 +260,38 @@ void IncrementalVectorizer::find_thin_row(int y) {
   }
 }
 
-/// Rule::curves_by_seams: contours that cross a seam are stale.
+/// Rule::curves_by_seams: contours that cross a seam are stale, and those that run along one by pixels that
+/// are thin where those before were not, or the other way round.
 void IncrementalVectorizer::add_seams() {
   if (!rules_.has(Rule::curves_by_seams)) return;
   const BlockGrid& grid = blocks_.grid();
-  const auto add = [&](int x, int y, Direction across) {
-    const int corner = lattice().corner(x, y);
-    if (cells_.corners[corner].is_visible(across)) add_stale(corner, cells_.corners[corner]);
-  };
   // Corners move with the blocks at their south-east: each block holds those at its west and north.
-  for (const auto& [column, row, step] : blocks_.seams()) {
-    if (step == glm::ivec2(-1, 0)) {
-      for (int y = grid.first_y(row); y <= grid.end_y(row); ++y) add(grid.first_x(column), y, kWest);
-    } else if (step == glm::ivec2(0, -1)) {
-      for (int x = grid.first_x(column); x <= grid.end_x(column); ++x) add(x, grid.first_y(row), kNorth);
+  for (const BlockMoves::Seam& seam : blocks_.seams()) {
+    const bool is_west = seam.step == glm::ivec2(-1, 0);
+    if (!is_west && seam.step != glm::ivec2(0, -1)) continue;
+    const Direction across = is_west ? kWest : kNorth, along = is_west ? kSouth : kEast;
+    const glm::ivec2 last = is_west ? glm::ivec2(grid.first_x(seam.column), grid.end_y(seam.row))
+                                    : glm::ivec2(grid.end_x(seam.column), grid.first_y(seam.row));
+    for (glm::ivec2 at(grid.first_x(seam.column), grid.first_y(seam.row));; at += kStep[along]) {
+      const int corner = lattice().corner(at.x, at.y);
+      const CornerCode code = cells_.corners[corner];
+      const bool is_stale = code.is_visible(across) ||
+                            (at != last && code.is_visible(along) && has_new_thin_side(at + seam.step, seam));
+      if (is_stale) add_stale(corner, code);
+      if (at == last) break;
     }
   }
+}
+
+/// Whether a pixel beyond a seam is thin, and what was there for the block on this side was not; or the other
+/// way round.
+bool IncrementalVectorizer::has_new_thin_side(glm::ivec2 beyond, const BlockMoves::Seam& seam) const {
+  if (options_->smoothing != Smoothing::energy) return false;
+  const auto thin_at = [&](const std::vector<std::uint8_t>& thin, glm::ivec2 at) {
+    const bool is_inside = at.x >= 0 && at.y >= 0 && at.x < lattice().width() && at.y < lattice().height();
+    return is_inside && thin[lattice().pixel(at.x, at.y)] != 0;
+  };
+  return thin_at(thin_, beyond) != thin_at(moved_, beyond - blocks_.move(seam.column, seam.row));
 }
 
 void IncrementalVectorizer::add_stale(int corner, CornerCode before) {

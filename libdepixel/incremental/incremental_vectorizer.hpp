@@ -60,6 +60,7 @@ class IncrementalVectorizer {
   void find_thin();
   void find_thin_row(int y);
   void add_seams();
+  bool has_new_thin_side(glm::ivec2 beyond, const BlockMoves::Seam& seam) const;
   void add_stale(int corner, CornerCode before);
   void remove_edges();
   void trace();
@@ -106,8 +107,9 @@ class IncrementalVectorizer {
   MapComparison comparison_;
   MapChanges changes_;
 
-  std::vector<std::uint8_t> row_before_, moved_;  ///< scratch
-  std::vector<Rgba> unpainted_;                   ///< scratch
+  std::vector<std::uint8_t> row_before_;  ///< scratch
+  std::vector<std::uint8_t> moved_;       ///< thin_ before it was moved
+  std::vector<Rgba> unpainted_;           ///< scratch
   mutable PlanarMap map_;
   mutable bool is_map_made_ = false;
   VectorizeStats stats_;

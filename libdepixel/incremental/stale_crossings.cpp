@@ -1,62 +1,44 @@
 #include "libdepixel/incremental/stale_crossings.hpp"
 
-#include <array>
 #include <bit>
 
 #include "libdepixel/incremental/byte_rows.hpp"
 
 namespace depixel {
-namespace {
-
-/// Whether a pixel has not just two neighbours.
-bool is_end(std::uint8_t neighbours) {
-  const int but_one = neighbours & (neighbours - 1);
-  return but_one == 0 || (but_one & (but_one - 1)) != 0;
-}
-
-/// The block in which a diagonal link from a pixel lies; -1 for links along sides.
-int diagonal_block(int pixel, int neighbour, int stride) {
-  switch (neighbour) {  // clockwise from north
-    case 1:
-      return pixel - stride;
-    case 3:
-      return pixel;
-    case 5:
-      return pixel - 1;
-    case 7:
-      return pixel - stride - 1;
-    default:
-      return -1;
-  }
-}
-
-}  // namespace
 
 const std::vector<int>& StaleCrossings::find(const SimilarityGraph& frozen, const BlockSet& near,
-                                             std::span<const int> seams, RuleSet rules,
+                                             std::span<const int> seams, CurveRule curve_rule, RuleSet rules,
                                              std::vector<std::uint8_t>& neighbours) {
   forget(frozen.lattice);
   for (int y = 0; y < frozen.lattice.height(); ++y) {
     if (!near.runs(y).empty()) find_in_row(frozen, near, y, rules, neighbours);
   }
+  const CurveWalk walk(frozen.lattice, neighbours, curve_rule);
   if (rules.has(Rule::crossings_by_curves)) {
-    for (const int pixel : changed_pixels_) follow_curves(frozen, pixel, neighbours);
+    for (const int pixel : changed_pixels_) follow_curves(frozen, pixel, neighbours, walk);
+  }
+  if (rules.has(Rule::crossings_by_junctions) && curve_rule == CurveRule::continuity) {
+    for (const int pixel : changed_pixels_) {
+      for (unsigned links = neighbours[pixel]; links != 0; links &= links - 1) {
+        follow_curves(frozen, pixel + walk.offset(std::countr_zero(links)), neighbours, walk);
+      }
+    }
   }
   if (rules.has(Rule::crossings_by_seams)) {
-    for (const int pixel : seams) follow_curves(frozen, pixel, neighbours);
+    for (const int pixel : seams) follow_curves(frozen, pixel, neighbours, walk);
   }
   return stale_;
 }
 
 void StaleCrossings::forget(const Lattice& lattice) {
   for (const int block : stale_) is_stale_[block] = 0;
-  for (const int pixel : visited_) is_visited_[pixel] = 0;
+  for (const int pixel : visited_) visited_links_[pixel] = 0;
   stale_.clear();
   visited_.clear();
   changed_pixels_.clear();
   if (static_cast<int>(is_stale_.size()) == lattice.size()) return;
   is_stale_.assign(lattice.size(), 0);
-  is_visited_.assign(lattice.size(), 0);
+  visited_links_.assign(lattice.size(), 0);
 }
 
 void StaleCrossings::add(const SimilarityGraph& frozen, int block) {
@@ -85,22 +67,26 @@ void StaleCrossings::find_in_row(const SimilarityGraph& frozen, const BlockSet& 
 /// Follows the curves on from a pixel, in every direction, to their ends. What was part of a curve with the
 /// pixel before is still linked to it, or to another pixel whose links changed.
 void StaleCrossings::follow_curves(const SimilarityGraph& frozen, int pixel,
-                                   const std::vector<std::uint8_t>& neighbours) {
-  const int stride = frozen.lattice.stride();
-  const std::array<int, 8> offsets = neighbour_offsets(frozen.lattice);
+                                   const std::vector<std::uint8_t>& neighbours, const CurveWalk& walk) {
   for (unsigned links = neighbours[pixel]; links != 0; links &= links - 1) {
-    int at = pixel, neighbour = std::countr_zero(links);
-    for (;;) {
-      const int block = diagonal_block(at, neighbour, stride);
+    int at = pixel;
+    for (int heading = std::countr_zero(links); heading >= 0 && visit(at, heading);) {
+      const int block = diagonal_block(at, heading, frozen.lattice.stride());
       if (block >= 0 && (frozen.links[block] & kBothDiagonals) == kBothDiagonals) add(frozen, block);
-      at += offsets[neighbour];
-      if (is_end(neighbours[at]) || is_visited_[at] != 0) break;
-      is_visited_[at] = 1;
-      visited_.push_back(at);
-      const auto back = static_cast<unsigned>(1 << ((neighbour + 4) & 7));
-      neighbour = std::countr_zero(neighbours[at] & ~back);
+      at += walk.offset(heading);
+      visit(at, heading ^ 4);  // it need not be followed from its other end
+      heading = walk.next(at, heading);
     }
   }
+}
+
+/// \return whether a link was not visited before.
+bool StaleCrossings::visit(int pixel, int neighbour) {
+  const auto link = static_cast<std::uint8_t>(1 << neighbour);
+  if ((visited_links_[pixel] & link) != 0) return false;
+  if (visited_links_[pixel] == 0) visited_.push_back(pixel);
+  visited_links_[pixel] |= link;
+  return true;
 }
 
 }  // namespace depixel

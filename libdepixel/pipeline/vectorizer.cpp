@@ -22,7 +22,7 @@ void Vectorizer::vectorize_by_edge(const FrameView& frame, const Options& option
   build_similarity_graph(frame, options.similarity, options.connect_lines, graph_);
   clock.finish(0);
 
-  const CrossingVotes votes{options.curve_weight, options.sparse_weight, options.island_weight};
+  const CrossingVotes votes = CrossingVotes::of(options);
   stats_.crossings = resolve_crossings(graph_, votes, crossings_);
   clock.finish(1);
 

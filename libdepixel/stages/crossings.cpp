@@ -5,9 +5,13 @@
 #include <cstring>
 
 #include "libdepixel/core/simd.hpp"
+#include "libdepixel/stages/curve_walk.hpp"
 
 namespace depixel {
 namespace {
+
+/// Neighbours, clockwise from north.
+constexpr int kSouthEast = 3, kSouthWest = 5;
 
 /// Number of links in a mask of neighbours; a table, as not all processors count bits.
 int valence(std::uint8_t neighbours) {
@@ -19,74 +23,76 @@ int valence(std::uint8_t neighbours) {
   return kCounts[neighbours];
 }
 
-constexpr std::uint8_t reversed(int neighbour) {
-  return static_cast<std::uint8_t>(1 << ((neighbour + 4) & 7));
-}
-
-/// Lengths, in links, of the paths that run through nodes of valence 2.
+/// Lengths, in links, of the curves that cross.
 class CurveLengths {
  public:
-  CurveLengths(const Lattice& lattice, CrossingScratch& scratch)
-      : neighbours_(scratch.neighbours),
-        offsets_(neighbour_offsets(lattice)),
+  CurveLengths(const SimilarityGraph& graph, CurveRule rule, CrossingScratch& scratch)
+      : graph_(graph),
+        walk_(graph.lattice, scratch.neighbours, rule),
         length_(scratch.curve_length),
         measured_(scratch.measured) {
-    if (static_cast<int>(length_.size()) != lattice.size()) length_.assign(lattice.size(), 0);
+    const std::size_t diagonals = 2 * static_cast<std::size_t>(graph.lattice.size());
+    if (length_.size() != diagonals) length_.assign(diagonals, 0);
     measured_.clear();
   }
   CurveLengths(const CurveLengths&) = delete;
   CurveLengths& operator=(const CurveLengths&) = delete;
   /// Forgets all lengths.
   ~CurveLengths() {
-    for (const int node : measured_) length_[node] = 0;
+    for (const int diagonal : measured_) length_[diagonal] = 0;
   }
 
-  /// Length of the curve through the link between two pixels, given their valences; 1 when neither is 2.
-  int through(int p, int valence_p, int q, int valence_q) {
-    return valence_p == 2 ? at(p) : valence_q == 2 ? at(q) : 1;
-  }
-
- private:
-  /// Length of the curve through a node of valence 2; walked once, then remembered at all its nodes.
-  int at(int node) {
-    if (length_[node] != 0) return length_[node];
-    const std::uint8_t links = neighbours_[node];
-    const int forward = std::countr_zero(links);
-    const int backward = std::countr_zero(static_cast<unsigned>(links & (links - 1)));
-    int total = walk(node, forward, 0);
-    const bool closed = total > 0 && closed_;
-    if (!closed) total += walk(node, backward, 0);
-    walk(node, forward, total);
-    if (!closed) walk(node, backward, total);
-    remember(node, total);
+  /// Length of the curve through a diagonal link, from one of its pixels; walked once if it is long, then
+  /// remembered at all its diagonals that cross others.
+  int through(int pixel, int heading) {
+    const int known = length_[diagonal(pixel, heading)];
+    if (known != 0) return known;
+    int total = 0;
+    const bool closed = follow(pixel, heading, [&](int, int) { ++total; });
+    const int other = pixel + walk_.offset(heading), back = heading ^ 4;
+    const int onward = closed ? -1 : walk_.next(pixel, back);
+    if (onward >= 0) follow(pixel, onward, [&](int, int) { ++total; });
+    if (total < kLongCurve) return total;
+    const auto remember = [&](int at, int on) { note(at, on, total); };
+    follow(pixel, heading, remember);
+    if (!closed) follow(other, back, remember);
     return total;
   }
 
-  /// Follows the curve from a node to its end or back to the node, and counts links; writes `mark` on the way
-  /// if it is not 0.
-  int walk(int start, int neighbour, int mark) {
-    int links = 0, node = start;
-    for (;;) {
-      node += offsets_[neighbour];
-      ++links;
-      closed_ = node == start;
-      if (closed_) return links;
-      const std::uint8_t around = neighbours_[node];
-      if (valence(around) != 2) return links;
-      if (mark != 0) remember(node, mark);
-      neighbour = std::countr_zero(static_cast<unsigned>(around & ~reversed(neighbour)));
-    }
+ private:
+  /// Shorter curves are sooner walked again than remembered.
+  static constexpr int kLongCurve = 8;
+
+  /// Follows a curve from a pixel to its end or back to the link that it starts with.
+  /// \param visit  called with each link: the pixel it leaves, and its heading. \return whether it is closed.
+  template <typename Visit>
+  bool follow(int pixel, int heading, Visit visit) const {
+    int at = pixel, on = heading;
+    do {
+      visit(at, on);
+      at += walk_.offset(on);
+      on = walk_.next(at, on);
+    } while (on >= 0 && (at != pixel || on != heading));
+    return on >= 0;
   }
 
-  void remember(int node, int length) {
-    length_[node] = length;
-    measured_.push_back(node);
+  void note(int pixel, int heading, int length) {
+    const int block = diagonal_block(pixel, heading, graph_.lattice.stride());
+    if (block < 0 || (graph_.links[block] & kBothDiagonals) != kBothDiagonals) return;
+    const int noted = diagonal(pixel, heading);
+    length_[noted] = length;
+    measured_.push_back(noted);
   }
 
-  const std::vector<std::uint8_t>& neighbours_;
-  std::array<int, 8> offsets_;
+  /// Index of a diagonal link's length.
+  int diagonal(int pixel, int heading) const {
+    const int is_main = heading >> 1 & 1;  // towards south-east and north-west
+    return 2 * diagonal_block(pixel, heading, graph_.lattice.stride()) + is_main;
+  }
+
+  const SimilarityGraph& graph_;
+  CurveWalk walk_;
   std::vector<int>&length_, &measured_;
-  bool closed_ = false;
 };
 
 static_assert(std::endian::native == std::endian::little, "rows of links are read as little-endian words");
@@ -176,19 +182,17 @@ void for_each_crossing(const SimilarityGraph& graph, Visit visit) {
 
 /// What is cut at each of the crossings in `scratch`, by votes on the frozen graph.
 void cast_votes(const SimilarityGraph& frozen, const CrossingVotes& votes, CrossingScratch& scratch) {
-  const Lattice& lattice = frozen.lattice;
-  const int stride = lattice.stride();
+  const int stride = frozen.lattice.stride();
   scratch.cut.resize(scratch.crossings.size());
   scratch.windows.resize(kCachedWindows);
   const auto valence_of = [&](int pixel) { return valence(scratch.neighbours[pixel]); };
-  CurveLengths curves(lattice, scratch);
+  CurveLengths curves(frozen, votes.curve_rule, scratch);
   for (std::size_t c = 0; c < scratch.crossings.size(); ++c) {
     const int nw = scratch.crossings[c], ne = nw + 1, sw = nw + stride, se = sw + 1;
     const WindowCacheEntry& sizes = component_sizes(frozen, nw, scratch.windows);
     const int nw_valence = valence_of(nw), se_valence = valence_of(se);
     const int ne_valence = valence_of(ne), sw_valence = valence_of(sw);
-    const int main_length = curves.through(nw, nw_valence, se, se_valence);
-    const int anti_length = curves.through(ne, ne_valence, sw, sw_valence);
+    const int main_length = curves.through(nw, kSouthEast), anti_length = curves.through(ne, kSouthWest);
     const int main_island = nw_valence == 1 || se_valence == 1 ? 1 : 0;
     const int anti_island = ne_valence == 1 || sw_valence == 1 ? 1 : 0;
     const double for_main = votes.curve * (main_length - anti_length) +

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "libdepixel/core/memory.hpp"
+#include "libdepixel/core/options.hpp"
 #include "libdepixel/stages/similarity_graph.hpp"
 
 namespace depixel {
@@ -15,7 +16,12 @@ struct CrossingVotes {
   double curve = 1.0;  ///< times the difference of the two curve lengths, for the longer
   double sparse =
       1.0;  ///< times the difference of the two component sizes in the 8x8 window, for the smaller
-  double island = 5.0;  ///< for a diagonal with an end of valence 1
+  double island = 5.0;                          ///< for a diagonal with an end of valence 1
+  CurveRule curve_rule = Options{}.curve_rule;  ///< how curves are followed
+
+  static CrossingVotes of(const Options& options) {
+    return {options.curve_weight, options.sparse_weight, options.island_weight, options.curve_rule};
+  }
 };
 
 /// Component sizes in an 8x8 window, by the window's links: windows of dithers and tiles recur.
@@ -30,9 +36,9 @@ struct CrossingScratch {
   std::vector<int> crossings;             ///< blocks whose diagonals cross
   std::vector<std::uint8_t> cut;          ///< BlockLink mask to remove, one for each crossing
   std::vector<std::uint8_t> neighbours;   ///< by find_neighbours(), of the frozen graph
-  std::vector<int> curve_length;  ///< padded; of the curve through a valence-2 node, 0 where not known; all 0
-                                  ///< between calls
-  std::vector<int> measured;      ///< nodes whose curve_length is not 0
+  std::vector<int> curve_length;  ///< padded; by block, of the curves through its two diagonals, 0 where not
+                                  ///< known; all 0 between calls
+  std::vector<int> measured;      ///< entries of curve_length that are not 0
 
   std::size_t memory_bytes() const {
     return held_bytes(windows, crossings, cut, neighbours, curve_length, measured);
@@ -43,9 +49,9 @@ struct CrossingScratch {
 /// \param graph  the frozen similarity graph; read while votes are cast, then cut.
 /// \post  No two links cross. Independent of the order in which blocks are visited.
 /// \return the number of crossings.
-/// Cost: linear in pixels; every curve is walked once and its length kept, every window is flood-filled with
-/// bit operations on 64 pixels at a time. Source: Kopf and Lischinski 2011, section 3.2; Schapfel,
-/// section 4.2.
+/// Cost: linear in pixels; every long curve is walked once and its length kept, every window is flood-filled
+/// with bit operations on 64 pixels at a time. Source: Kopf and Lischinski 2011, section 3.2; Schapfel,
+/// sections 4.2 and 7.1.1; see CurveWalk.
 int resolve_crossings(SimilarityGraph& graph, const CrossingVotes& votes, CrossingScratch& scratch);
 
 /// Resolves just some of the crossings of a frozen graph.

@@ -123,14 +123,56 @@ void NaiveGraph::freeze() {
   });
 }
 
-int NaiveGraph::curve_length(Point p, Point q) const {
+std::optional<NaiveGraph::Point> NaiveGraph::straightest(Point from, Point at) const {
+  const int dx = at.first - from.first, dy = at.second - from.second;
+  std::vector<Point> slightly_bent;
+  for (const Point& next : neighbours(at)) {
+    const int ex = next.first - at.first, ey = next.second - at.second;
+    if (ex == dx && ey == dy) return next;
+    const int dot = dx * ex + dy * ey, cross = dx * ey - dy * ex;
+    if (dot > 0 && std::abs(cross) == 1) slightly_bent.push_back(next);
+  }
+  if (slightly_bent.size() != 1) return std::nullopt;
+  return slightly_bent.front();
+}
+
+bool NaiveGraph::is_in_area(Point p) const {
+  for (const int dx : {-1, 1}) {
+    for (const int dy : {-1, 1}) {
+      const Point a{p.first + dx, p.second}, b{p.first, p.second + dy}, c{p.first + dx, p.second + dy};
+      if (linked(p, a) && linked(p, b) && (linked(a, c) || linked(b, c))) return true;
+    }
+  }
+  return false;
+}
+
+bool NaiveGraph::is_diagonal_junction(Point p) const {
+  const std::vector<Point> around = neighbours(p);
+  return around.size() > 2 && std::all_of(around.begin(), around.end(), [&](Point q) {
+           return q.first != p.first && q.second != p.second;
+         });
+}
+
+std::optional<NaiveGraph::Point> NaiveGraph::onward(Point from, Point at, CurveRule rule) const {
+  const std::vector<Point> around = neighbours(at);
+  if (around.size() == 2) return around[0] == from ? around[1] : around[0];
+  if (rule == CurveRule::valence || around.size() > 4 || is_in_area(at)) return std::nullopt;
+  const bool is_in_dither =
+      is_diagonal_junction(at) &&
+      std::any_of(around.begin(), around.end(), [&](Point p) { return is_diagonal_junction(p); });
+  if (is_in_dither) return std::nullopt;
+  const std::optional<Point> next = straightest(from, at);
+  if (!next || straightest(*next, at) != from) return std::nullopt;
+  return next;
+}
+
+int NaiveGraph::curve_length(Point p, Point q, CurveRule rule) const {
   std::set<Link> curve{link(p, q)};
   for (auto [from, to] : {std::pair{p, q}, {q, p}}) {
-    for (std::vector<Point> around = neighbours(to); around.size() == 2; around = neighbours(to)) {
-      const Point next = around[0] == from ? around[1] : around[0];
-      if (!curve.insert(link(to, next)).second) break;
+    while (const auto next = onward(from, to, rule)) {
+      if (!curve.insert(link(to, *next)).second) break;
       from = to;
-      to = next;
+      to = *next;
     }
   }
   return static_cast<int>(curve.size());
@@ -146,7 +188,7 @@ int NaiveGraph::window_size(Point from, Point block) const {
 
 double NaiveGraph::vote(Point p, Point q, Point block, const CrossingVotes& votes) const {
   const bool island = neighbours(p).size() == 1 || neighbours(q).size() == 1;
-  return votes.curve * curve_length(p, q) - votes.sparse * window_size(p, block) +
+  return votes.curve * curve_length(p, q, votes.curve_rule) - votes.sparse * window_size(p, block) +
          (island ? votes.island : 0);
 }
 

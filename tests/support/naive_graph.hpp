@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -37,7 +38,13 @@ class NaiveGraph {
   std::vector<Point> neighbours(Point p) const;
   /// Everything that links which stay inside the area lead to from a point.
   std::set<Point> reachable(Point from, const std::function<bool(Point)>& inside) const;
-  int curve_length(Point p, Point q) const;
+  /// Where a curve that comes from a point goes on, if anywhere.
+  std::optional<Point> onward(Point from, Point at, CurveRule rule) const;
+  /// The neighbour that lies straight ahead, or the only one that is half a right angle off; if there is one.
+  std::optional<Point> straightest(Point from, Point at) const;
+  bool is_in_area(Point p) const;
+  bool is_diagonal_junction(Point p) const;
+  int curve_length(Point p, Point q, CurveRule rule) const;
   int window_size(Point from, Point block) const;
   double vote(Point p, Point q, Point block, const CrossingVotes& votes) const;
   template <typename Visit>

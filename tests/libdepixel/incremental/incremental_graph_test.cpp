@@ -13,7 +13,7 @@ std::pair<SimilarityGraph, int> resolved(const Picture& picture, const Options& 
   SimilarityGraph graph;
   CrossingScratch scratch;
   build_similarity_graph(picture.view(), options.similarity, options.connect_lines, graph);
-  const CrossingVotes votes{options.curve_weight, options.sparse_weight, options.island_weight};
+  const CrossingVotes votes = CrossingVotes::of(options);
   const int crossings = resolve_crossings(graph, votes, scratch);
   return {graph, crossings};
 }

@@ -59,6 +59,19 @@ TEST(IncrementalVectorizer, PixelsWithoutLinksAreThinFromTheFirstFrameOn) {
             "");
 }
 
+TEST(IncrementalVectorizer, ContoursAlongASeamSeeWhatIsThinBeyondIt) {
+  // The lowest row stays; of the rows that come down on it, the lowest is part of an area, not of a line.
+  EXPECT_EQ(first_mismatch({{{ascii_picture({"....g", "....g", "....g", "....g",  //
+                                             "....g", "....g", "....g", "ggggg",  //
+                                             ".4.4."}),
+                              {}},
+                             {ascii_picture({"g....", "g....", "g....", "g....",  //
+                                             "ggggg", "ggggg", "ggggg", "ggggg",  //
+                                             ".4.4."}),
+                              {}}}}),
+            "");
+}
+
 TEST(IncrementalVectorizer, MapsOfLongSequencesAreThoseMadeFromScratch) {
   for (const unsigned seed : {1U, 2U}) {
     EXPECT_EQ(first_mismatch(fixed_sequence(seed, {.max_width = 40, .max_height = 32, .steps = 250})), "");

@@ -14,8 +14,11 @@ namespace {
 struct RuleCase {
   std::string_view rule;
   Picture before, after;
-  Options options{};
+  Options options = {};
 };
+
+constexpr Options kOnlyContinuousCurves{
+    .curve_rule = CurveRule::continuity, .sparse_weight = 0, .island_weight = 0};
 
 /// The smallest that a search over random sequences came to.
 std::vector<RuleCase> rule_cases() {
@@ -46,6 +49,14 @@ std::vector<RuleCase> rule_cases() {
                       "4.4.4.4.4.4.4.4.4"}),
        ascii_picture({".4.4.4.4.4.4.4.4#",  //
                       "4.4.4.4.4.4.4.4.4"})},
+      // The line in the second row ends where it becomes part of an area, though the pixel there is linked as
+      // it was; so the crossings in the west are cut otherwise.
+      {"crossings_by_junctions",
+       ascii_picture({"...4.4.4.4.4.4.4....4###",  //
+                      "##4.4.4.4.4.4.4.4444444#"}),
+       ascii_picture({"...4.4.4.4.4.4.4....44##",  //
+                      "##4.4.4.4.4.4.4.4444444#"}),
+       kOnlyContinuousCurves},
       // The eastern part goes two pixels west: the lower curve is shorter by as much, and its crossings with
       // the upper one, far in the west, are cut otherwise.
       {"crossings_by_seams",

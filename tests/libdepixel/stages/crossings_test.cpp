@@ -151,6 +151,63 @@ TEST(Crossings, VotesAreCastOnTheFrozenGraph) {
   }
 }
 
+/// What is left in a block by curves alone, by either rule.
+struct ByRule {
+  int valence, continuity;
+
+  friend bool operator==(const ByRule&, const ByRule&) = default;
+};
+ByRule by_curves(const Picture& picture, int x, int y) {
+  const auto diagonals = [&](CurveRule rule) { return resolve(picture, {1, 0, 0, rule}).diagonals(x, y); };
+  return {diagonals(CurveRule::valence), diagonals(CurveRule::continuity)};
+}
+
+TEST(Crossings, CurvesGoStraightOnWhereLinesCross) {
+  // The black line that meets the blue one of seven links has eight, but crosses another after the sixth.
+  const Picture picture = ascii_picture({"#...#.....",  //
+                                         ".#.#......",  //
+                                         "..#......b",  //
+                                         ".#.#....b.",  //
+                                         "#...#..b..",  //
+                                         ".....#b...",  //
+                                         ".....b#...",  //
+                                         "....b..#..",  //
+                                         "...b....#.",  //
+                                         "..b......."});
+  EXPECT_EQ(by_curves(picture, 5, 5), (ByRule{kAntiDiagonal, kMainDiagonal}));
+}
+
+TEST(Crossings, CurvesGoStraightOnPastABranch) {
+  // The black line has three links up to the pixel beside the branch; the blue one has four.
+  const Picture picture = ascii_picture({".....b",  //
+                                         "####b.",  //
+                                         ".#.b#.",  //
+                                         ".#b..#",  //
+                                         ".b...."});
+  EXPECT_EQ(by_curves(picture, 3, 1), (ByRule{kAntiDiagonal, kMainDiagonal}));
+}
+
+TEST(Crossings, CurvesEndInAreas) {
+  // The black line has four links up to the square, where it ends; as many as the blue one.
+  const Picture picture = ascii_picture({".....b",  //
+                                         "####b.",  //
+                                         "##.b#.",  //
+                                         "##b..#",  //
+                                         ".b...."});
+  EXPECT_EQ(by_curves(picture, 3, 1), (ByRule{kAntiDiagonal, 0}));
+}
+
+TEST(Crossings, CurvesEndInDithers) {
+  // Diagonals of a checkerboard are no lines, however long they are: here all votes are ties but at the
+  // border.
+  Picture board(10, 10, palette_colour('.'));
+  for (int y = 0; y < board.height; ++y) {
+    for (int x = 0; x < board.width; ++x) board.at(x, y) = palette_colour((x + y) % 2 == 0 ? '#' : '.');
+  }
+  EXPECT_EQ(by_curves(board, 2, 1), (ByRule{0, 0}));
+  EXPECT_EQ(by_curves(board, 4, 4), (ByRule{0, 0}));
+}
+
 TEST(Crossings, MergedBlocksOfOneSideCrossToo) {
   // Alike are the top two pixels and both diagonals, no others.
   Picture picture(2, 2);
@@ -164,7 +221,7 @@ TEST(Crossings, MergedBlocksOfOneSideCrossToo) {
 RC_GTEST_PROP(Crossings, EqualTheTextbook, (const Picture& picture)) {
   const Options options = *random_options();
   const auto weight = rc::gen::element(0.0, 0.5, 1.0, 2.0, 5.0);
-  const CrossingVotes votes{*weight, *weight, *weight};
+  const CrossingVotes votes{*weight, *weight, *weight, options.curve_rule};
   SimilarityGraph graph;
   CrossingScratch scratch;
   build_similarity_graph(picture.view(), options.similarity, options.connect_lines, graph);
@@ -185,10 +242,11 @@ RC_GTEST_PROP(Crossings, EqualTheTextbook, (const Picture& picture)) {
 
 RC_GTEST_PROP(Crossings, DoNotDependOnTheOrderOfBlocks, (const Picture& picture)) {
   // A flip or turn visits the blocks in another order.
-  const Resolved straight = resolve(picture);
+  const CrossingVotes votes{.curve_rule = *rc::gen::element(CurveRule::valence, CurveRule::continuity)};
+  const Resolved straight = resolve(picture, votes);
   const glm::ivec2 size(picture.width, picture.height);
   for (const Symmetry& symmetry : kSymmetries) {
-    const Resolved other = resolve(symmetry(picture));
+    const Resolved other = resolve(symmetry(picture), votes);
     const bool swaps = symmetry.mirrored != (symmetry.quarter_turns % 2 == 1);
     for (int y = 0; y + 1 < picture.height; ++y) {
       for (int x = 0; x + 1 < picture.width; ++x) {
