@@ -156,7 +156,7 @@ TEST(Allocation, NoneAnUpdateOfTilesWhenWarm) {
     vectorizer.vectorize(picture.view(), {});
     vectorizer.map();
     const long before = allocations;
-    updater.update(vectorizer, vectorizer.changes(), {4, 4}, false);
+    updater.update(vectorizer, vectorizer.changes(), {4, 4}, TileEncoding::levels);
     const long updated = allocations;
     if (frame < kWarm) continue;
     EXPECT_EQ(updated - before, 0) << "updating for frame " << frame;
