@@ -10,6 +10,7 @@
 
 #include "apps/common/exit_codes.hpp"
 #include "apps/common/option_flags.hpp"
+#include "filter/option_text.hpp"
 
 namespace depixel {
 namespace {
@@ -31,6 +32,22 @@ void add_size_flags(CLI::App& app, Arguments& arguments) {
       ->excludes(scale);
 }
 
+void add_svg_tolerance_flag(CLI::App& app, Arguments& arguments) {
+  const std::string flag = "--svg-tolerance";
+  const auto parse = [&arguments, flag](const std::string& text) {
+    const auto tolerance = parse_number(text);
+    if (!tolerance || *tolerance < 0 || *tolerance > kMaxSvgTolerance) {
+      throw CLI::ValidationError(flag,
+                                 fmt::format("\"{}\" is not a number from 0 to {}", text, kMaxSvgTolerance));
+    }
+    arguments.svg_tolerance_px = *tolerance;
+  };
+  app.add_option_function<std::string>(
+         flag, parse, "How far an SVG's curves may stray, in input pixels, to make it smaller; 0: not at all")
+      ->default_str(fmt::format("{}", kSvgTolerance))
+      ->type_name("NUMBER");
+}
+
 void add_output_flags(CLI::App& app, Arguments& arguments) {
   static constexpr std::array<std::string_view, 2> kFormatNames{"svg", "png"};
   app.add_option("-o,--output", arguments.output, "A .svg or .png file, - for standard output, or a folder")
@@ -41,6 +58,7 @@ void add_output_flags(CLI::App& app, Arguments& arguments) {
                   [&](int index) { arguments.stage = static_cast<StageView>(index); });
   add_choice_flag(app, "--format", "Kind of picture, where OUT does not tell; png unless given", kFormatNames,
                   [&](int index) { arguments.format = static_cast<Format>(index); });
+  add_svg_tolerance_flag(app, arguments);
 }
 
 void add_backend_flags(CLI::App& app, Arguments& arguments) {

@@ -8,6 +8,7 @@
 #include "apps/common/option_flags.hpp"
 #include "apps/headless/context_kind.hpp"
 #include "libdepixel/core/options.hpp"
+#include "libdepixel/core/tolerances.hpp"
 #include "libdepixel/views/stage_view.hpp"
 
 namespace depixel {
@@ -25,6 +26,7 @@ struct Arguments {
   Options options;
   std::optional<StageView> stage;
   std::optional<Format> format;
+  double svg_tolerance_px = kSvgTolerance;
   Backend backend = Backend::cpu;
   std::optional<ContextKind> context;  ///< with Backend::gl only; none: whichever can be had
   bool verify = false;

@@ -88,7 +88,7 @@ std::string Renderer::draw_svg(const FrameView& frame) const {
   if (arguments_->stage) {
     return write_stage_svg(make_stage_drawing(*arguments_->stage, frame, arguments_->options));
   }
-  return write_svg(filter_->vectorizer().map(), filter_->vectorizer().graph());
+  return write_svg(filter_->vectorizer().map(), filter_->vectorizer().graph(), arguments_->svg_tolerance_px);
 }
 
 tl::expected<void, Error> Renderer::draw_picture(const FrameView& frame, OutputSize size) {

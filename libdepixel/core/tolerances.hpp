@@ -17,4 +17,17 @@ constexpr int kRasterSubpixels = 256;
 /// Curves are flattened so finely that a line strays from its curve by at most this much, in output pixels.
 constexpr double kFlatteningTolerance = 1.0 / 8;
 
+/// Curves of an SVG file stray from those of the map by at most this much, in source pixels, unless another
+/// tolerance is asked for: a third of an output pixel at 8x. Below 1/16 pixel, kCentreClearance, every pixel
+/// keeps its colour at its centre.
+constexpr double kSvgTolerance = 0.04, kMaxSvgTolerance = 0.5;
+
+/// Where two curves of a contour turn by more than this (20 degrees; the sine), that is a corner, and no
+/// curve of an SVG file goes round it.
+constexpr double kSvgCorner = 0.35;
+
+/// Lines and quadratic curves that replace others turn away from these at their ends by no more than this (6
+/// degrees; the sine), so that what is smooth looks smooth.
+constexpr double kSvgKink = 0.1;
+
 }  // namespace depixel

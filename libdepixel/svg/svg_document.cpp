@@ -1,9 +1,14 @@
 #include "libdepixel/svg/svg_document.hpp"
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
+#include <unordered_map>
 
 #include "libdepixel/core/tolerances.hpp"
 
@@ -12,20 +17,18 @@ namespace {
 
 constexpr int kThousand = 1000;
 
-int to_thousandths(int subpixels) {
-  constexpr int kHalf = kSubpixels / 2;
-  const std::int64_t scaled = std::int64_t{subpixels} * kThousand + kHalf;
-  return static_cast<int>(scaled >= 0 ? scaled / kSubpixels : (scaled - kSubpixels + 1) / kSubpixels);
-}
-
-glm::ivec2 to_thousandths(glm::ivec2 subpixels) {
-  return {to_thousandths(subpixels.x), to_thousandths(subpixels.y)};
-}
-
 /// True where a control point is as near to a third of the chord as rounding allows.
 bool lies_on_third(glm::ivec2 control, glm::ivec2 near, glm::ivec2 far) {
   const glm::ivec2 off = 3 * (control - near) - (far - near);
   return std::abs(off.x) <= 2 && std::abs(off.y) <= 2;
+}
+
+std::int64_t cross(glm::ivec2 a, glm::ivec2 b) {
+  return std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
+}
+
+std::int64_t dot(glm::ivec2 a, glm::ivec2 b) {
+  return std::int64_t{a.x} * b.x + std::int64_t{a.y} * b.y;
 }
 
 void append_integer(std::string& out, int value) {
@@ -34,10 +37,39 @@ void append_integer(std::string& out, int value) {
   out.append(digits, end);
 }
 
-void append_hex(std::string& out, std::uint8_t value) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  out += kDigits[value >> 4];
-  out += kDigits[value & 15];
+char hex_digit(int value) {
+  return "0123456789abcdef"[value];
+}
+
+/// Shapes by colour, in the order in which colours first come; those of a colour stay in their order.
+std::vector<std::vector<const SvgShape*>> grouped_by_colour(const std::vector<SvgShape>& shapes) {
+  std::vector<std::vector<const SvgShape*>> groups;
+  std::unordered_map<std::uint32_t, std::size_t> group_of;
+  for (const SvgShape& shape : shapes) {
+    const auto [found, is_new] =
+        group_of.try_emplace(std::bit_cast<std::uint32_t>(shape.colour), groups.size());
+    if (is_new) groups.emplace_back();
+    groups[found->second].push_back(&shape);
+  }
+  return groups;
+}
+
+/// Appends shapes as paths; those that share a colour are a group that says it once.
+void append_shapes(std::string& out, const std::vector<SvgShape>& shapes, std::string_view data) {
+  for (const auto& group : grouped_by_colour(shapes)) {
+    const bool is_shared = group.size() > 1;
+    const auto open = [&](std::string_view element) {
+      out.append("<").append(element);
+      append_svg_paint(out, "fill", group.front()->colour);
+    };
+    if (is_shared) open("g");
+    if (is_shared) out += ">\n";
+    for (const SvgShape* shape : group) {
+      is_shared ? void(out.append("<path")) : open("path");
+      out.append(" d=\"").append(data.substr(shape->first, shape->count)).append("\"/>\n");
+    }
+    if (is_shared) out += "</g>\n";
+  }
 }
 
 }  // namespace
@@ -58,9 +90,34 @@ void append_svg_number(std::string& out, int thousandths) {
   }
 }
 
+int svg_length(int thousandths) {
+  const int magnitude = std::abs(thousandths), fraction = magnitude % kThousand;
+  int length = 1;  // the sign, or what separates it
+  if (fraction != 0) length += fraction % 100 == 0 ? 2 : fraction % 10 == 0 ? 3 : 4;
+  if (fraction != 0 && magnitude < kThousand) return length;
+  for (int rest = magnitude; rest >= kThousand || length == 1; rest /= 10) ++length;
+  return length;
+}
+
+bool is_svg_line(glm::ivec2 p0, glm::ivec2 p1, glm::ivec2 p2, glm::ivec2 p3) {
+  return lies_on_third(p1, p0, p3) && lies_on_third(p2, p3, p0);
+}
+
+std::optional<glm::ivec2> svg_quadratic_control(glm::ivec2 p0, glm::ivec2 p1, glm::ivec2 p2, glm::ivec2 p3) {
+  const glm::ivec2 by_start = 3 * p1 - p0, by_end = 3 * p2 - p3, off = by_start - by_end;
+  if (std::abs(off.x) > 3 || std::abs(off.y) > 3) return std::nullopt;
+  const glm::ivec2 sum = by_start + by_end;  // is four times the control point
+  return glm::ivec2((sum.x + 2) >> 2, (sum.y + 2) >> 2);
+}
+
 void append_svg_paint(std::string& out, std::string_view what, Rgba colour) {
+  const std::array<std::uint8_t, 3> channels{colour.r, colour.g, colour.b};
+  const bool is_short = std::all_of(channels.begin(), channels.end(), [](int c) { return c % 17 == 0; });
   out.append(" ").append(what).append("=\"#");
-  for (const std::uint8_t channel : {colour.r, colour.g, colour.b}) append_hex(out, channel);
+  for (const std::uint8_t channel : channels) {
+    if (!is_short) out += hex_digit(channel >> 4);
+    out += hex_digit(channel & 15);
+  }
   out += '"';
   if (colour.a == 255) return;
   out.append(" ").append(what).append("-opacity=\"");
@@ -71,62 +128,100 @@ void append_svg_paint(std::string& out, std::string_view what, Rgba colour) {
 void SvgPathData::command(char letter) {
   if (letter != last_) {
     out_ += letter;
-    needs_space_ = false;
+    after_number_ = false;
   }
   last_ = letter;
 }
 
+/// A sign or a second decimal point separates numbers as well as a space does.
 void SvgPathData::number(int thousandths) {
-  if (needs_space_ && thousandths >= 0) out_ += ' ';
+  const int magnitude = std::abs(thousandths);
+  const bool has_fraction = magnitude % kThousand != 0;
+  const bool starts_with_point = has_fraction && magnitude < kThousand;
+  if (after_number_ && thousandths >= 0 && !(starts_with_point && after_fraction_)) out_ += ' ';
   append_svg_number(out_, thousandths);
-  needs_space_ = true;
+  after_number_ = true;
+  after_fraction_ = has_fraction;
+}
+
+void SvgPathData::vector(glm::ivec2 by) {
+  number(by.x);
+  number(by.y);
 }
 
 void SvgPathData::move_to(glm::ivec2 to_subpixels) {
+  write_line();
+  const glm::ivec2 to = grid_.thousandths(to_subpixels);
+  const bool is_first = last_ == 0;
   last_ = 0;
-  command('M');
-  at_ = to_thousandths(to_subpixels);
+  command(is_first ? 'M' : 'm');
+  vector(is_first ? to : to - at_);
+  last_ = is_first ? 'L' : 'l';  // what more numbers after a move would mean
   exact_ = to_subpixels;
-  number(at_.x);
-  number(at_.y);
+  start_ = at_ = cubic_next_ = quadratic_next_ = to;
 }
 
 void SvgPathData::line_to(glm::ivec2 to_subpixels) {
-  const glm::ivec2 to = to_thousandths(to_subpixels), by = to - at_;
+  const glm::ivec2 to = grid_.thousandths(to_subpixels), by = to - at_;
   exact_ = to_subpixels;
-  at_ = to;
-  if (by.x != 0 || by.y != 0) command(by.y == 0 ? 'h' : by.x == 0 ? 'v' : 'l');
-  if (by.x != 0) number(by.x);
-  if (by.y != 0) number(by.y);
+  if (by == glm::ivec2(0)) return;
+  if (cross(line_, by) != 0 || dot(line_, by) < 0) write_line();
+  line_ += by;
+  at_ = cubic_next_ = quadratic_next_ = to;
+}
+
+void SvgPathData::write_line() {
+  if (line_.x != 0 || line_.y != 0) command(line_.y == 0 ? 'h' : line_.x == 0 ? 'v' : 'l');
+  if (line_.x != 0) number(line_.x);
+  if (line_.y != 0) number(line_.y);
+  line_ = {0, 0};
 }
 
 void SvgPathData::curve_to(glm::ivec2 p1_subpixels, glm::ivec2 p2_subpixels, glm::ivec2 to_subpixels) {
-  if (lies_on_third(p1_subpixels, exact_, to_subpixels) &&
-      lies_on_third(p2_subpixels, to_subpixels, exact_)) {
+  const glm::ivec2 from_subpixels = exact_;
+  if (is_svg_line(from_subpixels, p1_subpixels, p2_subpixels, to_subpixels)) {
     line_to(to_subpixels);
     return;
   }
-  command('c');
-  const glm::ivec2 from = at_;
-  for (const glm::ivec2 p : {p1_subpixels, p2_subpixels, to_subpixels}) {
-    at_ = to_thousandths(p);
-    number(at_.x - from.x);
-    number(at_.y - from.y);
+  write_line();
+  const auto control = svg_quadratic_control(from_subpixels, p1_subpixels, p2_subpixels, to_subpixels);
+  if (control) {
+    write_quadratic(grid_.thousandths(*control));
+  } else {
+    write_cubic(grid_.thousandths(p1_subpixels), grid_.thousandths(p2_subpixels));
   }
+  const glm::ivec2 to = grid_.thousandths(to_subpixels);
+  vector(to - at_);
+  cubic_next_ = control ? to : 2 * to - grid_.thousandths(p2_subpixels);
+  quadratic_next_ = control ? 2 * to - grid_.thousandths(*control) : to;
+  at_ = to;
   exact_ = to_subpixels;
 }
 
+void SvgPathData::write_cubic(glm::ivec2 p1, glm::ivec2 p2) {
+  command(p1 == cubic_next_ ? 's' : 'c');
+  if (p1 != cubic_next_) vector(p1 - at_);
+  vector(p2 - at_);
+}
+
+void SvgPathData::write_quadratic(glm::ivec2 control) {
+  command(control == quadratic_next_ ? 't' : 'q');
+  if (control != quadratic_next_) vector(control - at_);
+}
+
+void SvgPathData::close() {
+  if (at_ == start_) line_ = {0, 0};
+  write_line();
+  command('z');
+  at_ = start_;
+}
+
 void SvgDocument::add_shape(Rgba colour, std::string_view path_data) {
-  if (colour.a == 255) {
-    opaque_.push_back({colour, path_data.size()});
-    opaque_data_ += path_data;
-    return;
-  }
-  beside_data_ += path_data;
+  if (colour.a < 255) beside_data_ += path_data;
   if (colour.a == 0) return;
-  translucent_ += "<path";
-  append_svg_paint(translucent_, "fill", colour);
-  translucent_.append(" d=\"").append(path_data).append("\"/>\n");
+  std::vector<SvgShape>& shapes = colour.a == 255 ? opaque_ : translucent_;
+  shapes.push_back({colour, data_.size(), path_data.size()});
+  data_ += path_data;
 }
 
 std::string SvgDocument::finish() const {
@@ -135,19 +230,13 @@ std::string SvgDocument::finish() const {
   size.append(width).append("\" height=\"").append(height).append("\"");
   const bool masked = !opaque_.empty() && !beside_data_.empty();
   std::string svg;
-  svg.reserve(opaque_data_.size() + 64 * opaque_.size() + translucent_.size() + beside_data_.size() +
+  svg.reserve(data_.size() + 64 * (opaque_.size() + translucent_.size()) + beside_data_.size() +
               overlay_.size() + 1024);
   svg.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"");
   svg.append(" xmlns:xlink=\"http://www.w3.org/1999/xlink\"").append(size);
   svg.append(" viewBox=\"0 0 ").append(width).append(" ").append(height).append("\">\n");
   svg.append("<defs>\n<g id=\"shapes\" fill-rule=\"evenodd\">\n");
-  std::string_view data = opaque_data_;
-  for (const Shape& shape : opaque_) {
-    svg.append("<path");
-    append_svg_paint(svg, "fill", shape.colour);
-    svg.append(" d=\"").append(data.substr(0, shape.data_bytes)).append("\"/>\n");
-    data.remove_prefix(shape.data_bytes);
-  }
+  append_shapes(svg, opaque_, data_);
   svg.append("</g>\n");
   constexpr std::string_view kCrisp = " shape-rendering=\"crispEdges\"";
   if (masked) {  // its stroke takes away pixels that the silhouette crosses, at scales up to 8
@@ -159,7 +248,11 @@ std::string SvgDocument::finish() const {
   svg.append("</defs>\n<use xlink:href=\"#shapes\"").append(kCrisp);
   if (masked) svg.append(" mask=\"url(#inside)\"");
   svg.append("/>\n<use xlink:href=\"#shapes\"/>\n");
-  if (!translucent_.empty()) svg.append("<g fill-rule=\"evenodd\">\n").append(translucent_).append("</g>\n");
+  if (!translucent_.empty()) {
+    svg.append("<g fill-rule=\"evenodd\">\n");
+    append_shapes(svg, translucent_, data_);
+    svg.append("</g>\n");
+  }
   svg.append(overlay_).append("</svg>\n");
   return svg;
 }

@@ -1,46 +1,79 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "libdepixel/core/color.hpp"
+#include "libdepixel/svg/svg_grid.hpp"
 
 namespace depixel {
 
-/// The `d` attribute of an SVG path, in relative coordinates of 1/1000 pixel.
+/// The `d` attribute of an SVG path, in relative coordinates, as short as it can be said without loss: lines
+/// that go on in the same direction are one, curves that are smooth or quadratic are written as such, and
+/// what need not be said is left out.
 ///
 /// Points are rounded before differences are taken, so paths that share a point on the map share it in the
 /// file too.
 class SvgPathData {
  public:
-  explicit SvgPathData(std::string& out) : out_(out) {}
+  explicit SvgPathData(std::string& out, SvgGrid grid = {}) : out_(out), grid_(grid) {}
 
   void move_to(glm::ivec2 to_subpixels);
   void line_to(glm::ivec2 to_subpixels);
-  /// A cubic curve; written as a line where its control points lie on its chord's thirds.
+  /// A cubic curve; written as a line where its control points lie on its chord's thirds, and as a quadratic
+  /// curve where they lie on two thirds of the ways to one point, as exactly as rounding to subpixels allows.
   void curve_to(glm::ivec2 p1_subpixels, glm::ivec2 p2_subpixels, glm::ivec2 to_subpixels);
-  void close() { command('z'); }
+  /// Draws a line back to where the path started; one that was drawn already is taken back.
+  void close();
+  /// Ends a path that stays open.
+  void end() { write_line(); }
 
  private:
+  void write_line();
+  void write_cubic(glm::ivec2 p1, glm::ivec2 p2);
+  void write_quadratic(glm::ivec2 control);
   void command(char letter);
   void number(int thousandths);
+  void vector(glm::ivec2 by);
 
   std::string& out_;
+  SvgGrid grid_;
   glm::ivec2 exact_{0, 0};  ///< the current point, in subpixels
-  glm::ivec2 at_{0, 0};     ///< the current point as written, in thousandths
-  char last_ = 0;           ///< a command's letter is written only where it changes
-  bool needs_space_ = false;
+  // As written, in thousandths:
+  glm::ivec2 start_{0, 0}, at_{0, 0};  ///< of the closed path, and the current point
+  glm::ivec2 line_{0, 0};              ///< the line that leads to the current point, not written yet
+  glm::ivec2 cubic_next_{0, 0};        ///< where a smooth cubic curve has its first control point
+  glm::ivec2 quadratic_next_{0, 0};    ///< where a smooth quadratic curve has its control point
+  char last_ = 0;                      ///< a command's letter is written only where it changes
+  bool after_number_ = false;          ///< the text ends in a number,
+  bool after_fraction_ = false;        ///< and that has a decimal point
 };
 
 /// A length in pixels as a whole number of thousandths.
 int svg_thousandths(double pixels);
 /// Appends a whole or decimal number given in thousandths: 1500 is "1.5", -250 is "-.25".
 void append_svg_number(std::string& out, int thousandths);
+/// How many characters a number takes, a sign or a separator included.
+int svg_length(int thousandths);
+inline int svg_length(glm::ivec2 thousandths) {
+  return svg_length(thousandths.x) + svg_length(thousandths.y);
+}
+/// Whether a cubic curve is a line at even speed, as near as rounding to subpixels allows.
+bool is_svg_line(glm::ivec2 p0, glm::ivec2 p1, glm::ivec2 p2, glm::ivec2 p3);
+/// The control point of the quadratic curve that a cubic one is, as near as rounding to subpixels allows.
+std::optional<glm::ivec2> svg_quadratic_control(glm::ivec2 p0, glm::ivec2 p1, glm::ivec2 p2, glm::ivec2 p3);
 /// Appends the attributes that paint with a colour: ` fill="#rrggbb"`, and ` fill-opacity` where it is not
 /// opaque. \param what  "fill" or "stroke".
 void append_svg_paint(std::string& out, std::string_view what, Rgba colour);
+
+/// A shape of a document; its path data is part of a text.
+struct SvgShape {
+  Rgba colour;
+  std::size_t first, count;
+};
 
 /// Gathers shapes that partition a picture, and drawings on top of it, to an SVG document in source pixels.
 ///
@@ -60,15 +93,9 @@ class SvgDocument {
   std::string finish() const;
 
  private:
-  struct Shape {
-    Rgba colour;
-    std::size_t data_bytes;
-  };
-
   int width_, height_;
-  std::vector<Shape> opaque_;
-  std::string opaque_data_;  ///< the shapes' path data, one after the other
-  std::string translucent_;  ///< elements
+  std::vector<SvgShape> opaque_, translucent_;
+  std::string data_;         ///< the shapes' path data, one after the other
   std::string beside_data_;  ///< path data of all that is not opaque
   std::string overlay_;
 };

@@ -28,7 +28,8 @@ bool is_by_shaded(const Shading& shading, int pixel, int stride) {
 std::string colour_name(Rgba colour) {
   std::string name;
   append_svg_paint(name, "", colour);
-  return name.substr(name.find('#') + 1, 6);
+  const std::size_t from = name.find('#') + 1;
+  return name.substr(from, name.find('"', from) - from);
 }
 
 class ShadingWriter {

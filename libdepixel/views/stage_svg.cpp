@@ -44,6 +44,7 @@ void append_strokes(const std::vector<Stroke>& strokes, std::string& out) {
       path.curve_to(s.p1, s.p2, s.p3);
       joined = true;
     }
+    path.end();
     out.append("\"/>\n");
   }
 }
@@ -71,7 +72,7 @@ std::string write_stage_svg(const StageDrawing& drawing) {
   if (drawing.cells) {
     append_cells(drawing, document);
   } else {
-    append_components(drawing.fill, drawing.graph, document);
+    append_components(drawing.fill, drawing.graph, 0, document);
   }
   append_strokes(drawing.strokes, document.overlay());
   for (const Circle& circle : drawing.circles) append_circle(circle, document.overlay());

@@ -78,6 +78,10 @@ TEST_F(CommandLine, OptionsReachThePicture) {
   EXPECT_TRUE(draw({"--smoothing", "none"}) != usual);
   EXPECT_TRUE(draw({"--spline", "approximate"}) != draw({"--spline", "interpolate"}));
   EXPECT_TRUE(draw({"--similarity", "exact", "--threads", "2"}) == usual);
+  const auto svg_bytes = [this](const char* tolerance) {
+    return draw({"--format", "svg", "--svg-tolerance", tolerance}).size();
+  };
+  EXPECT_LT(svg_bytes("0.1"), svg_bytes("0"));
 }
 
 TEST_F(CommandLine, RefusesOptionsOutOfRange) {
@@ -114,6 +118,9 @@ TEST_F(CommandLine, RefusesWrongUsage) {
       {in_, "-o", out_, "--stage", "nonsense"},
       {in_, "-o", out_, "--format", "gif"},
       {in_, "-o", out_, "--format", "svg"},
+      {in_, "-o", out_, "--svg-tolerance", "-0.1"},
+      {in_, "-o", out_, "--svg-tolerance", "0.6"},
+      {in_, "-o", out_, "--svg-tolerance", "nan"},
       {in_, "-o", out_, "--stats=xml"},
       {in_, "-o", "-", "--stats=json"},
       {in_, "-o", folder_ / "out.jpg"},

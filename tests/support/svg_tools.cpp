@@ -35,8 +35,8 @@ class PathReader {
   bool step() {
     switch (command_) {
       case 'M':
-        path_.polygons.emplace_back();
-        start_ = at_ = {number(), number()};
+      case 'm':
+        move(command_ == 'M' ? vector() : point());
         return true;
       case 'h':
         line(at_ + glm::i64vec2(number(), 0));
@@ -47,9 +47,16 @@ class PathReader {
       case 'l':
         line(point());
         return true;
-      case 'c': {
-        const glm::i64vec2 p1 = point(), p2 = point(), p3 = point();
-        curve(p1, p2, p3);
+      case 'c':
+      case 's': {
+        const glm::i64vec2 p1 = command_ == 'c' ? point() : cubic_next_, p2 = point();
+        cubic(p1, p2, point());
+        return true;
+      }
+      case 'q':
+      case 't': {
+        const glm::i64vec2 control = command_ == 'q' ? point() : quadratic_next_;
+        quadratic(control, point());
         return true;
       }
       default:
@@ -57,42 +64,88 @@ class PathReader {
     }
   }
 
+  void move(glm::i64vec2 to) {
+    path_.polygons.emplace_back();
+    start_ = to;
+    arrive(to);
+    command_ = command_ == 'M' ? 'L' : 'l';
+  }
+
   void close() {
     if (at_ != start_) line(start_);
   }
 
-  glm::i64vec2 point() {
+  glm::i64vec2 vector() {
     const std::int64_t x = number(), y = number();
-    return at_ + glm::i64vec2(x, y);
+    return {x, y};
   }
+  glm::i64vec2 point() { return at_ + vector(); }
 
+  /// A sign or a second decimal point ends a number, and so do spaces.
   std::int64_t number() {
-    const std::string text(rest_.substr(0, 16));
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    rest_.remove_prefix(std::max<std::size_t>(1, static_cast<std::size_t>(end - text.c_str())));
+    while (rest_.starts_with(' ')) rest_.remove_prefix(1);
+    std::size_t length = rest_.starts_with('-') ? 1 : 0;
+    for (bool has_point = false; length < rest_.size(); ++length) {
+      const bool is_point = rest_[length] == '.';
+      if (is_point ? has_point : std::isdigit(static_cast<unsigned char>(rest_[length])) == 0) break;
+      has_point = has_point || is_point;
+    }
+    const double value = std::strtod(std::string(rest_.substr(0, length)).c_str(), nullptr);
+    rest_.remove_prefix(std::max<std::size_t>(1, length));
     return std::llround(value * kThousand);
   }
 
-  /// Thirds are not whole thousandths; thrice the control points are.
+  void arrive(glm::i64vec2 to) { at_ = cubic_next_ = quadratic_next_ = to; }
+
   void line(glm::i64vec2 to) {
-    path_.area_20 += 10 * (at_.y * to.x - at_.x * to.y);
+    path_.area_60 += 30 * cross(at_, to);
     path_.polygons.back().push_back(glm::dvec2(to) / kThousand);
-    at_ = to;
+    arrive(to);
   }
 
-  void curve(glm::i64vec2 p1, glm::i64vec2 p2, glm::i64vec2 p3) {
-    path_.area_20 += test::area_20(at_, p1, p2, p3);
+  void cubic(glm::i64vec2 p1, glm::i64vec2 p2, glm::i64vec2 p3) {
+    path_.area_60 += 3 * area_20(at_, p1, p2, p3);
     append_curve(glm::dvec2(at_) / kThousand, glm::dvec2(p1) / kThousand, glm::dvec2(p2) / kThousand,
                  glm::dvec2(p3) / kThousand, path_.polygons.back());
-    at_ = p3;
+    arrive(p3);
+    cubic_next_ = 2L * p3 - p2;
   }
+
+  void quadratic(glm::i64vec2 control, glm::i64vec2 to) {
+    path_.area_60 += 10 * (2 * cross(at_, control) + 2 * cross(control, to) + cross(at_, to));
+    const glm::dvec2 p0 = glm::dvec2(at_) / kThousand, q = glm::dvec2(control) / kThousand,
+                     p3 = glm::dvec2(to) / kThousand;
+    append_curve(p0, (p0 + 2.0 * q) / 3.0, (p3 + 2.0 * q) / 3.0, p3, path_.polygons.back());
+    arrive(to);
+    quadratic_next_ = 2L * to - control;
+  }
+
+  static std::int64_t cross(glm::i64vec2 a, glm::i64vec2 b) { return a.y * b.x - a.x * b.y; }
 
   std::string_view rest_;
   char command_ = 0;
-  glm::i64vec2 start_{0, 0}, at_{0, 0};
+  glm::i64vec2 start_{0, 0}, at_{0, 0}, cubic_next_{0, 0}, quadratic_next_{0, 0};
   SvgPath path_;
 };
+
+/// What an element or those round it say of an attribute.
+std::string inherited(pugi::xml_node node, const char* name) {
+  while (node && !node.attribute(name)) node = node.parent();
+  return node.attribute(name).value();
+}
+
+/// A colour with all six digits.
+std::string long_colour(const std::string& text) {
+  if (text.size() != 4) return text;
+  std::string digits = "#";
+  for (const char digit : text.substr(1)) digits.append(2, digit);
+  return digits;
+}
+
+bool is_within(pugi::xml_node node, std::string_view name) {
+  while (node && name != node.name()) node = node.parent();
+  return static_cast<bool>(node);
+}
 
 std::string quoted(const std::filesystem::path& file) {
   return "'" + file.string() + "'";
@@ -132,11 +185,12 @@ SvgPath parse_path_data(std::string_view data) {
 
 std::vector<SvgPath> filled_paths(const pugi::xml_document& document) {
   std::vector<SvgPath> paths;
-  for (const pugi::xpath_node& found : document.select_nodes("//path[@fill!='none'][not(ancestor::*[@id='shading'])]")) {
+  for (const pugi::xpath_node& found :
+       document.select_nodes("//path[not(@stroke)][not(ancestor::*[@id='shading'])]")) {
     const pugi::xml_node node = found.node();
     SvgPath path = parse_path_data(node.attribute("d").value());
-    path.fill = node.attribute("fill").value();
-    path.in_defs = std::string_view(node.parent().parent().name()) == "defs";
+    path.fill = long_colour(inherited(node, "fill"));
+    path.in_defs = is_within(node, "defs");
     paths.push_back(std::move(path));
   }
   return paths;

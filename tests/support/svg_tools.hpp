@@ -26,14 +26,14 @@ std::int64_t area_20(glm::i64vec2 p0, glm::i64vec2 p1, glm::i64vec2 p2, glm::i64
 
 /// A path element of an SVG document.
 struct SvgPath {
-  std::string fill;  ///< "#rrggbb"
+  std::string fill;  ///< "#rrggbb", its own or its group's
   bool in_defs = false;
   std::vector<Polygon> polygons;  ///< source pixels, curves flattened
-  std::int64_t area_20 = 0;       ///< in square thousandths of a pixel
+  std::int64_t area_60 = 0;       ///< sixty times its area, in square thousandths of a pixel; exact
 };
 
-/// Reads a path of the commands M h v l c z, and nothing else; a path without polygons if it holds something
-/// else.
+/// Reads a path of the commands M m h v l c s q t z, and nothing else; a path without polygons if it holds
+/// something else.
 SvgPath parse_path_data(std::string_view data);
 
 /// All filled paths of a document, but for those of its shading.

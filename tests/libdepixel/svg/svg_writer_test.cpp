@@ -4,7 +4,10 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <filesystem>
+#include <functional>
 
 #include "libdepixel/pipeline/vectorizer.hpp"
 #include "libdepixel/raster/cpu_raster.hpp"
@@ -23,9 +26,9 @@ struct Written {
   pugi::xml_document document;
   std::vector<SvgPath> paths;
 
-  explicit Written(const Picture& picture, const Options& options = {}) {
+  explicit Written(const Picture& picture, const Options& options = {}, double tolerance_px = kSvgTolerance) {
     vectorizer.vectorize(picture.view(), options);
-    svg = write_svg(vectorizer.map(), vectorizer.graph());
+    svg = write_svg(vectorizer.map(), vectorizer.graph(), tolerance_px);
     document.load_string(svg.c_str());
     paths = filled_paths(document);
   }
@@ -40,9 +43,9 @@ struct Written {
 };
 
 std::string hex(Rgba c) {
-  std::string text;
-  append_svg_paint(text, "fill", {c.r, c.g, c.b, 255});
-  return text.substr(7, 7);
+  std::array<char, 8> text{};
+  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", c.r, c.g, c.b);
+  return text.data();
 }
 
 TEST(SvgNumbers, AreShort) {
@@ -68,7 +71,74 @@ TEST(SvgPathData, RoundsPointsBeforeDifferences) {
   for (int i = 1; i <= 3; ++i) path.line_to({kSubpixels / 2 + i, kSubpixels});
   path.curve_to({kSubpixels, kSubpixels}, {kSubpixels, 2 * kSubpixels}, {2 * kSubpixels, 2 * kSubpixels});
   path.close();
-  EXPECT_EQ(text, "M0 1h.5 .001c.499 0 .499 1 1.499 1z");
+  EXPECT_EQ(text, "M0 1h.501c.499 0 .499 1 1.499 1z");
+}
+
+std::string path_data(const std::function<void(SvgPathData&)>& draw, SvgGrid grid = {}) {
+  std::string text;
+  SvgPathData path(text, grid);
+  draw(path);
+  return text;
+}
+
+constexpr int kPixel = kSubpixels;
+
+TEST(SvgPathData, LinesThatGoOnAreOne) {
+  EXPECT_EQ(path_data([](SvgPathData& path) {
+              path.move_to({0, 0});
+              for (int x = 1; x <= 3; ++x) path.line_to({x * kPixel, 0});
+              path.line_to({2 * kPixel, 0});  // and back
+              path.line_to({3 * kPixel, kPixel});
+              path.line_to({5 * kPixel, 3 * kPixel});
+              path.line_to({0, 3 * kPixel});
+              path.line_to({0, 0});
+              path.close();
+            }),
+            "M0 0h3-1l3 3h-5z");
+}
+
+TEST(SvgPathData, SmoothAndQuadraticCurvesAreWrittenAsSuch) {
+  EXPECT_EQ(path_data([](SvgPathData& path) {
+              path.move_to({0, 0});
+              path.curve_to({0, kPixel}, {kPixel, 2 * kPixel}, {2 * kPixel, 2 * kPixel});
+              path.curve_to({3 * kPixel, 2 * kPixel}, {4 * kPixel, kPixel}, {4 * kPixel, 0});
+              path.curve_to({4 * kPixel, -2 * kPixel}, {5 * kPixel, -3 * kPixel}, {7 * kPixel, -3 * kPixel});
+              path.curve_to({9 * kPixel, -3 * kPixel}, {10 * kPixel, -2 * kPixel}, {10 * kPixel, 0});
+              path.end();
+            }),
+            "M0 0c0 1 1 2 2 2s2-1 2-2q0-3 3-3t3 3");
+}
+
+TEST(SvgPathData, NumbersAreSeparatedOnlyWhereTheyMustBe) {
+  EXPECT_EQ(path_data(
+                [](SvgPathData& path) {
+                  path.move_to({kPixel / 2, kPixel / 4});
+                  path.line_to({kPixel, kPixel});
+                  path.line_to({3 * kPixel, kPixel * 3 / 2});
+                  path.close();
+                  path.move_to({kPixel, -kPixel});
+                  path.line_to({2 * kPixel, kPixel});
+                  path.end();
+                },
+                SvgGrid{10}),
+            "M.5.25l.5.75 2 .5zm.5-1.25 1 2");
+}
+
+TEST(SvgWriter, ColoursAreSaidOnceAGroup) {
+  const Written written(ascii_picture({"#r#", "...", "#g#"}));
+  EXPECT_EQ(written.document.select_nodes("//g[@fill='#000']/path").size(), 4u);
+  EXPECT_EQ(written.document.select_nodes("//path[@fill='#dc1e1e']").size(), 1u);
+  EXPECT_EQ(written.document.select_nodes("//path[@fill='#fff']").size(), 1u);
+}
+
+TEST(SvgWriter, ToleranceMakesFilesSmallerAndPicturesNoWorse) {
+  constexpr double kMostDifference = 0.3, kMostBytes = 0.5;
+  const Picture picture = load_picture(data_folder() / "frames" / "alex4_0036.png");
+  const Written exact(picture, {}, 0), simplified(picture);
+  EXPECT_LT(double(simplified.svg.size()), kMostBytes * double(exact.svg.size()));
+  const int width = picture.width * kScale, height = picture.height * kScale;
+  const Picture expected = draw_with_rsvg(exact.svg, width, height);
+  EXPECT_LT(compare(expected, draw_with_rsvg(simplified.svg, width, height)).mean, kMostDifference);
 }
 
 TEST(SvgWriter, MeasuresInSourcePixels) {
@@ -117,13 +187,14 @@ RC_GTEST_PROP(SvgWriter, OnePathAComponent, (const Picture& picture)) {
 RC_GTEST_PROP(SvgWriter, AreasAddUpToTheFrameToTheLastDigit, ()) {
   const Picture picture = *random_picture({.colours = ".#rgb4567R"});
   std::int64_t area = 0;
-  for (const SvgPath& path : Written(picture, *random_options()).paths) area += path.area_20;
-  RC_ASSERT(area == std::int64_t{20'000'000} * picture.width * picture.height);
+  const double tolerance_px = *rc::gen::element(0.0, kSvgTolerance, kMaxSvgTolerance);
+  for (const SvgPath& path : Written(picture, *random_options(), tolerance_px).paths) area += path.area_60;
+  RC_ASSERT(area == std::int64_t{60'000'000} * picture.width * picture.height);
 }
 
 RC_GTEST_PROP(SvgWriter, PixelCentresHaveTheirColour, ()) {
   const Picture picture = *random_picture({.max_size = 12});
-  const Written written(picture, *random_lossless_options());
+  const Written written(picture, *random_lossless_options(), *rc::gen::element(0.0, kSvgTolerance));
   for (int y = 0; y < picture.height; ++y) {
     for (int x = 0; x < picture.width; ++x) {
       std::vector<std::string> found;
@@ -148,8 +219,9 @@ bool is_by_translucency(const Picture& picture, int x, int y) {
 }
 
 /// Empty if rsvg-convert's picture is what the rasteriser's is, else what differs.
-std::string rsvg_mismatch(const Picture& picture, const Options& options, double mean_tolerance = 2.0) {
-  const Written written(picture, options);
+std::string rsvg_mismatch(const Picture& picture, const Options& options, double mean_tolerance = 2.0,
+                          double svg_tolerance_px = kSvgTolerance) {
+  const Written written(picture, options, svg_tolerance_px);
   const Picture expected = written.raster();
   const Picture drawn = draw_with_rsvg(written.svg, expected.width, expected.height);
   if (drawn.width == 0) return "rsvg-convert fails on " + written.svg;
@@ -209,8 +281,9 @@ TEST(SvgWriter, RsvgDrawsTranslucentShapes) {
 
 TEST(SvgWriter, RsvgDrawsSilhouettesWithTheirCoverage) {
   const Options adaptive{.spline = SplineKind::adaptive};
-  EXPECT_EQ(rsvg_mismatch(ascii_picture({"_..", "._.", "_.."}), adaptive), "");
-  EXPECT_EQ(rsvg_mismatch(ascii_picture({"_.", "._", "_.", ".."}), adaptive), "");
+  constexpr double kMean = 2.0;
+  EXPECT_EQ(rsvg_mismatch(ascii_picture({"_..", "._.", "_.."}), adaptive, kMean, 0), "");
+  EXPECT_EQ(rsvg_mismatch(ascii_picture({"_.", "._", "_.", ".."}), adaptive, kMean, 0), "");
 }
 
 }  // namespace
