@@ -257,7 +257,8 @@ void print(std::ostream& out, const Options& options) {
       << ", .connect_lines = " << name_of(options.connect_lines)
       << ", .spline = SplineKind::" << kSplines[static_cast<int>(options.spline)]
       << ", .smoothing = Smoothing::" << kSmoothings[static_cast<int>(options.smoothing)]
-      << ", .curve_rule = CurveRule::" << (options.curve_rule == CurveRule::valence ? "valence" : "continuity")
+      << ", .curve_rule = CurveRule::"
+      << (options.curve_rule == CurveRule::valence ? "valence" : "continuity")
       << ", .shading = ShadingKind::" << kShadings[static_cast<int>(options.shading)]
       << ", .soft_contours = " << options.soft_contours
       << ", .linear_light = " << name_of(options.linear_light) << ", .threads = " << options.threads << '}';

@@ -69,7 +69,12 @@ std::array<double, 4> naive_colour(const PlanarMap& map, Rgba region, double x, 
   const Lattice& lattice = map.lattice;
   const int column = std::clamp(static_cast<int>(std::floor(x + 0.5)), 0, lattice.width());
   const int row = std::clamp(static_cast<int>(std::floor(y + 0.5)), 0, lattice.height());
-  const double east = x + 0.5 - std::floor(x + 0.5), south = y + 0.5 - std::floor(y + 0.5);
+  // A region may lie where only pixels beyond the nearest row and column are its own: none weighs nothing.
+  const auto weight_after = [](double at) {
+    constexpr double kLeast = 1.0 / 4096;
+    return std::clamp(at + 0.5 - std::floor(at + 0.5), kLeast, 1 - kLeast);
+  };
+  const double east = weight_after(x), south = weight_after(y);
   const int block = lattice.corner(column, row);
   struct Corner {
     int pixel;
@@ -91,7 +96,7 @@ std::array<double, 4> naive_colour(const PlanarMap& map, Rgba region, double x, 
     if (!takes_part || map.shading.blocks[block] == 0) continue;
     const Rgba c = map.shading.shades[corners[k].pixel];
     const std::array<int, 4> levels{c.r, c.g, c.b, c.a};
-    const double weight = std::max(corners[k].weight, 1e-9);
+    const double weight = corners[k].weight;
     for (int i = 0; i < 4; ++i) sum[i] += weight * levels[i];
     weights += weight;
   }

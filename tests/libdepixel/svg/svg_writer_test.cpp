@@ -258,7 +258,8 @@ RC_GTEST_PROP(SvgWriter, RsvgDrawsSmallPicturesNearly, ()) {
 }
 
 TEST(SvgWriter, RsvgDrawsShadingsNearly) {
-  // Discs and blurred squares come near to the raster's mixtures, and nearer than components of one colour do.
+  // Discs and blurred squares come near to the raster's mixtures, and nearer than components of one colour
+  // do.
   const Picture picture = load_picture(data_folder() / "sprites" / "minetest_game_default_apple.png");
   for (const Options& options : {Options{.similarity = Similarity::merge, .shading = ShadingKind::gradient},
                                  Options{.similarity = Similarity::merge, .shading = ShadingKind::blur},
