@@ -48,7 +48,7 @@ int premultiplied(int channel, int alpha) {
 /// Each outline is drawn as if nothing were outside. Where two meet, their changes of colour add up.
 Picture draw_outlines(const PlanarMap& map, const Components& components, const Outlines& outlines) {
   constexpr int kOutside = 0;
-  PlanarMap drawn{map.lattice, map.colours, {}};
+  PlanarMap drawn{map.lattice, map.colours, {}, {}};
   const std::vector<int> pixels = some_pixels(components);
   for (const OutlineLoop& loop : outlines.loops) {
     glm::ivec2 from = outlines.pieces[loop.first + loop.count - 1].p3;
