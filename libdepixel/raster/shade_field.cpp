@@ -36,24 +36,34 @@ struct ShadeField::Mixture {
 class ShadeField::MixtureRow {
  public:
   MixtureRow(const Mixture& mixture, int south) {
+    const int north = kWeights - south;
     const auto& [a, b, c, d] = mixture.shades;
     const auto& [share_a, share_b, share_c, share_d] = mixture.shares;
-    const int north = kWeights - south;
-    west_ = share_a * north + share_c * south;
-    east_ = share_b * north + share_d * south;
-    is_whole_ = west_ + east_ == 2 * kWeights;
-    levels_ = LevelPairs(column(a, share_a * north, c, share_c * south),
-                         column(b, share_b * north, d, share_d * south));
+    const Int4 west = column(a, share_a * north, c, share_c * south);
+    const Int4 east = column(b, share_b * north, d, share_d * south);
+    west_weight_ = share_a * north + share_c * south;
+    east_weight_ = share_b * north + share_d * south;
+    is_whole_ = west_weight_ + east_weight_ == 2 * kWeights;
+    if (is_whole_) {
+      constexpr int kBits = kWeightBits - kLevelBits;
+      const Int4 half = Int4{} + (1 << (kBits - 1));
+      levels_ = LevelPairs((west + half) >> kBits, (east + half) >> kBits);
+    } else {
+      west_ = __builtin_convertvector(west, Float4);
+      east_ = __builtin_convertvector(east, Float4);
+    }
   }
 
   Rgba at(int east) const {
     constexpr int kBits = kWeightBits + kLevelBits;
     const int west = kWeights - east;
-    const Int4 sum = levels_.mixed(west, east);
-    if (is_whole_) return packed((sum + (1 << (kBits - 1))) >> kBits);
-    // The shares that take part are not all: a division, of which the bits are the same everywhere.
-    const float to_levels = float(kWeights >> kLevelBits) / float(west_ * west + east_ * east);
-    return packed(__builtin_convertvector(__builtin_convertvector(sum, Float4) * to_levels + 0.5f, Int4));
+    if (is_whole_) return packed((levels_.mixed(west, east) + (1 << (kBits - 1))) >> kBits);
+    // The shares that take part are not all, and may be small: a division, of which the bits are the same
+    // everywhere.
+    const auto west_share = static_cast<float>(west), east_share = static_cast<float>(east);
+    const Float4 sum = west_ * west_share + east_ * east_share;
+    const auto total = static_cast<float>(west_weight_ * west + east_weight_ * east);
+    return packed(__builtin_convertvector(sum / total + 0.5F, Int4));
   }
 
  private:
@@ -62,12 +72,12 @@ class ShadeField::MixtureRow {
   static Rgba packed(Int4 levels) { return std::bit_cast<Rgba>(pack_bytes(levels)); }
 
   static Int4 column(Rgba a, int of_a, Rgba b, int of_b) {
-    constexpr int kBits = kWeightBits - kLevelBits;
-    return (LevelPairs(channels(a), channels(b)).mixed(of_a, of_b) + (1 << (kBits - 1))) >> kBits;
+    return LevelPairs(channels(a), channels(b)).mixed(of_a, of_b);
   }
 
-  LevelPairs levels_;
-  int west_, east_;  ///< weights of the columns that take part
+  LevelPairs levels_;       ///< of the two columns, if all pixels take part
+  Float4 west_{}, east_{};  ///< else: sums of shades times weights
+  int west_weight_, east_weight_;
   bool is_whole_;
 };
 
