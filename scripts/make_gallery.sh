@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the pictures of the README again, in docs/images: shipped sprites and a frame at 6x by nearest neighbour, by xbr
-# (2x, then 3x) and by depixel; all steps; and the windows of the player and of RetroArch. Needs ffmpeg, imagemagick,
+# (2x, then 3x) and by depixel; all steps; what options do; and the windows of the player and of RetroArch. Needs ffmpeg, imagemagick,
 # RetroArch and Xvfb beside a release build.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -34,6 +34,27 @@ for stage in bitmap similarity cells simplified contours polygons curves smoothe
 done
 montage "$work"/{bitmap,similarity,cells,simplified,contours,polygons,curves,smoothed,components}.png \
   -tile 5x -geometry +2+2 -background white -colors 256 docs/images/stages.png
+
+# What options do, for docs/gallery.md: parts of frames by nearest neighbour, by the defaults, and by options.
+options() { # FRAME CROP SCALE PICTURE OPTIONS...
+  convert "tests/data/frames/$1.png" -crop "$2" +repage "$work/part.png"
+  convert "$work/part.png" -filter point -resize "$3"00% "$work/option0.png"
+  local picture=$4 i=1
+  for flags in "" "${@:5}"; do
+    # Unquoted: several flags.
+    "$depixel" "tests/data/frames/$1.png" -o "$work/whole.png" --scale "$3" --quiet $flags
+    convert "$work/whole.png" -crop "$(scaled "$2" "$3")" +repage "$work/option$((i++)).png"
+  done
+  montage "$work"/option*.png -tile x1 -geometry +3+3 -background white "docs/images/$picture"
+  rm "$work"/option*.png
+}
+scaled() { # WxH+X+Y SCALE
+  awk -F '[x+]' -v s="$2" '{ printf "%dx%d+%d+%d", $1 * s, $2 * s, $3 * s, $4 * s }' <<< "$1"
+}
+options davegnukem_0052 64x64+24+92 4 shading_gnukem.png "--similarity merge" "--similarity merge --shading gradient" \
+  "--similarity merge --shading blur" "--soft-contours 20"
+options freedoom_0039 72x64+140+86 4 shading_freedoom.png "--similarity merge" "--similarity merge --shading gradient" \
+  "--similarity merge --shading blur" "--soft-contours 20"
 
 # The player, with a split view.
 mkdir -p "$work/config/depixel"
