@@ -132,7 +132,8 @@ RC_GTEST_PROP(RegionSums, PixelsAreTheMeanOfTheirRegions, ()) {
       c = c == region ? Rgba{kLight, kLight, kLight, 255} : Rgba{kDark, kDark, kDark, 255};
     const Picture coverage = draw(covered, view, width, height, false);
     for (int i = 0; i < width * height; ++i) {
-      const auto colour = naive_colour(map, region, (i % width + 0.5) / scale, (i / width + 0.5) / scale);
+      const int x = i % width, y = i / width;
+      const auto colour = naive_colour(map, region, (x + 0.5) / scale, (y + 0.5) / scale);
       for (int k = 0; k < 4; ++k)
         expected[i][k] += colour[k] * (coverage.pixels[i].r - kDark) / double(kLight - kDark);
     }
