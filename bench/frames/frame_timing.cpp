@@ -85,6 +85,7 @@ std::vector<double> time_options(const Picture& frame, std::span<const Options> 
   const double of_defaults = timers.front().result().both_ms();
   timers.pop_front();
   std::vector<double> ratios;
+  ratios.reserve(timers.size());
   for (const FrameTimer& timer : timers) ratios.push_back(timer.result().both_ms() / of_defaults);
   return ratios;
 }
