@@ -109,8 +109,8 @@ class BandSums {
  private:
   static constexpr int kGroup = TouchedGroups::kGroup;
 
-  /// Whole groups, with room for what a line in the last column leaves to the next.
-  std::size_t stride() const { return (static_cast<std::size_t>(capacity_) / kGroup + 1) * kGroup; }
+  /// Whole groups, with room for what a line on the right side of the last column leaves to the next but one.
+  std::size_t stride() const { return (static_cast<std::size_t>(capacity_ + 1) / kGroup + 1) * kGroup; }
 
   /// How far a row has been resolved: pixels before `done` are written, or are not to be, and so are those
   /// from `end` on; `running` is the sum of the sums so far.
