@@ -125,9 +125,7 @@ std::vector<Upscaler> all_upscalers() {
     }
   }
   for (const auto& variant : kOptionVariants) {
-    Options options;
-    variant.change(options);
-    all.push_back(ours(fmt::format("depixel {}", variant.name), options));
+    all.push_back(ours(fmt::format("depixel {}", variant.name), variant.options()));
   }
   return all;
 }

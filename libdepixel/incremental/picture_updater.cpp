@@ -81,7 +81,7 @@ void PictureUpdater::draw(const IncrementalVectorizer& source, const MapChanges&
 
 void PictureUpdater::find_strips(const OutputGrid& grid) {
   const Lattice& lattice = grid.lattice;
-  const int rows = std::clamp(static_cast<int>(kStripTiles * grid.scale.y), 1, BandSums<OpaqueColour>::kRows);
+  const int rows = std::clamp(static_cast<int>(kStripTiles * grid.scale.y), 1, kBandRows);
   strips_.clear();
   int first = 0, end = 0;
   for (int first_px = 0; first_px < grid.target.height; first_px += rows) {
@@ -240,13 +240,10 @@ void PictureUpdater::leave_shaded(const IncrementalVectorizer& source) {
   }
   const Lattice& lattice = source.lattice();
   is_even_stale_.assign(is_stale_.size(), 0);
-  const std::uint8_t* blocks = source.shading().blocks.data();
-  const int stride = lattice.stride();
   for (int y = 0; y < lattice.height(); ++y) {
     for (int tile = lattice.pixel(0, y), end = tile + lattice.width(); tile < end; ++tile) {
-      if (is_stale_[tile] == 0) continue;
-      const int shaded = blocks[tile - stride - 1] | blocks[tile - stride] | blocks[tile - 1] | blocks[tile];
-      if (shaded == 0) std::swap(is_stale_[tile], is_even_stale_[tile]);
+      if (is_stale_[tile] == 0 || source.shading().is_shaded(tile, lattice.stride())) continue;
+      std::swap(is_stale_[tile], is_even_stale_[tile]);
     }
   }
 }

@@ -18,7 +18,7 @@ namespace depixel {
 /// A line that goes down adds, to every pixel it crosses, its colour change times the area to its right
 /// inside the pixel, and to the next pixel the rest of the height it covers; a running sum along the row then
 /// gives the colours. All sums are integers. Source: font-rs.
-template <typename Model, int kRowCount = 32>
+template <typename Model, int kRowCount = kBandRows>
 class BandSums {
  public:
   using Sums = typename Model::Sums;

@@ -7,7 +7,6 @@
 namespace depixel {
 namespace {
 
-constexpr int kBandRows = BandSums<OpaqueColour>::kRows;
 constexpr int kBandHeight = kBandRows * kRasterSubpixels;
 
 int bands_of(const OutputGrid& grid) {
@@ -73,7 +72,6 @@ void CpuRaster::for_each_in_band(const MapByEdge& map, const OutputGrid& grid, i
 template <typename Map, typename Sums>
 void CpuRaster::draw_band(const Map& map, const std::vector<Rgba>& colours, const OutputGrid& grid, int band,
                           Sums& sums) const {
-  static_assert(Sums::kRows == kBandRows);
   const Lattice& lattice = grid.lattice;
   const int first_row = band * kBandRows;
   const int rows = std::min(kBandRows, grid.target.height - first_row);

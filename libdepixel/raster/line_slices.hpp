@@ -10,6 +10,9 @@
 
 namespace depixel {
 
+/// Pictures are drawn in bands of so many output rows.
+constexpr int kBandRows = 32;
+
 /// Cuts lines to the rows and pixels of a band of output rows, in integers. Where a line meets the boundary
 /// of a row depends on the line alone, so a line that crosses bands comes to the same as in one band. Source:
 /// FreeType's smooth rasteriser.

@@ -48,7 +48,7 @@ class RegionMix {
 template <typename Model>
 class RegionSums {
  public:
-  static constexpr int kRows = 32;
+  static constexpr int kRows = kBandRows;
 
   struct Change {
     Rgba from, to;

@@ -81,8 +81,7 @@ class ShadeField::MixtureRow {
   bool is_whole_;
 };
 
-std::vector<ShadeField::Place>& ShadeField::place(const ToOutput& axis, int pixels, int size,
-                                                  std::vector<Place>& places) {
+void ShadeField::place(const ToOutput& axis, int pixels, int size, std::vector<Place>& places) {
   places.resize(pixels);
   for (int i = 0; i < pixels; ++i) {
     const std::int64_t at = axis.source(i * kRasterSubpixels + kRasterSubpixels / 2) + kSubpixels / 2;
@@ -90,7 +89,6 @@ std::vector<ShadeField::Place>& ShadeField::place(const ToOutput& axis, int pixe
     places[i] = {static_cast<int>(std::clamp<std::int64_t>(line, 0, size)),
                  std::clamp(static_cast<int>(at & (kWeights - 1)), 1, kWeights - 1)};
   }
-  return places;
 }
 
 void ShadeField::start(const Shading& shading, const std::vector<Rgba>& colours,
@@ -117,7 +115,8 @@ ShadeField::Mixture ShadeField::mixture(int block, Rgba region) const {
   Mixture mixture{true, region, {}, {}};
   const std::uint8_t pairs = shading_->blocks[block];
   if (pairs == 0) return mixture;
-  const std::array<int, 4> pixels{block, block + 1, block + lattice_.stride(), block + lattice_.stride() + 1};
+  std::array<int, 4> pixels = block_pixels(lattice_.stride());
+  for (int& pixel : pixels) pixel += block;
   int own = 0;
   for (int k = 0; k < 4; ++k) own |= ((*colours_)[pixels[k]] == region ? 1 : 0) << k;
   if (own == 0) return mixture;

@@ -40,7 +40,7 @@ class ShadeField {
   struct Mixture;
   class MixtureRow;
 
-  static std::vector<Place>& place(const ToOutput& axis, int pixels, int size, std::vector<Place>& places);
+  static void place(const ToOutput& axis, int pixels, int size, std::vector<Place>& places);
   Mixture mixture(int block, Rgba region) const;
 
   const Shading* shading_ = nullptr;

@@ -2,25 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace depixel {
 namespace {
 
-/// A block's pixels, as bits 0 to 3 of a mask name them.
-enum BlockPixel : std::uint8_t { kNorthWestPixel, kNorthEastPixel, kSouthWestPixel, kSouthEastPixel };
-
-struct Pair {
-  PairMask bit;
-  BlockPixel a, b;
-};
-constexpr std::array<Pair, 4> kSides{{{kNorthPair, kNorthWestPixel, kNorthEastPixel},
-                                      {kEastPair, kNorthEastPixel, kSouthEastPixel},
-                                      {kSouthPair, kSouthWestPixel, kSouthEastPixel},
-                                      {kWestPair, kNorthWestPixel, kSouthWestPixel}}};
+constexpr std::span kSides = std::span(kPixelPairs).first<4>();
+constexpr const PixelPair &kMain = kPixelPairs[4], &kAnti = kPixelPairs[5];
 static_assert(kNorthPair == 1 << kNorth && kEastPair == 1 << kEast && kSouthPair == 1 << kSouth &&
               kWestPair == 1 << kWest);  // a pair of sides is the edge between them
-constexpr std::array<Pair, 2> kDiagonals{
-    {{kMainPair, kNorthWestPixel, kSouthEastPixel}, {kAntiPair, kNorthEastPixel, kSouthWestPixel}}};
 
 /// Two ways round a block from one end of a diagonal to the other, through a pixel each.
 constexpr std::array<std::array<PairMask, 2>, 2> kMainWays{
@@ -33,13 +23,11 @@ constexpr auto kBlending = [] {
   for (int pairs = 0; pairs < 64; ++pairs) {
     for (int pixels = 0; pixels < 16; ++pixels) {
       int all = pixels;
-      const auto add = [&](const Pair& pair) {
-        if ((pairs & pair.bit) == 0) return;
+      for (const PixelPair& pair : kPixelPairs) {
+        if ((pairs & pair.bit) == 0) continue;
         if ((pixels >> pair.a & 1) != 0) all |= 1 << pair.b;
         if ((pixels >> pair.b & 1) != 0) all |= 1 << pair.a;
-      };
-      for (const Pair& pair : kSides) add(pair);
-      for (const Pair& pair : kDiagonals) add(pair);
+      }
       blending[pairs][pixels] = static_cast<std::uint8_t>(all);
     }
   }
@@ -58,8 +46,7 @@ class ShadingBuilder {
         is_blurred_(options.shading == ShadingKind::blur),
         has_own_shades_(options.shading != ShadingKind::none),
         shading_(shading),
-        sharp_(shading.sharp),
-        offset_{0, 1, graph.lattice.stride(), graph.lattice.stride() + 1} {}
+        offset_(block_pixels(graph.lattice.stride())) {}
 
   void build() {
     const Lattice& lattice = graph_.lattice;
@@ -94,17 +81,15 @@ class ShadingBuilder {
   PairMask find_pairs(int block, bool has_columns, bool has_rows) const {
     int pairs = 0;
     const int visible = cells_.corners[block].visible_edges();
-    for (const Pair& side : kSides) {
+    for (const PixelPair& side : kSides) {
       const bool is_level = side.bit == kNorthPair || side.bit == kSouthPair;
       if (!(is_level ? has_columns : has_rows)) continue;  // one of them lies beyond the border
       if ((visible & side.bit) == 0 || is_soft(block, side)) pairs |= side.bit;
     }
     if (has_columns && has_rows) {
       const int links = graph_.links[block];
-      if ((links & kMainDiagonal) != 0 || goes_round(pairs, kMainWays, block, kDiagonals[0]))
-        pairs |= kMainPair;
-      if ((links & kAntiDiagonal) != 0 || goes_round(pairs, kAntiWays, block, kDiagonals[1]))
-        pairs |= kAntiPair;
+      if ((links & kMainDiagonal) != 0 || goes_round(pairs, kMainWays, block, kMain)) pairs |= kMainPair;
+      if ((links & kAntiDiagonal) != 0 || goes_round(pairs, kAntiWays, block, kAnti)) pairs |= kAntiPair;
     }
     return static_cast<PairMask>(pairs);
   }
@@ -112,7 +97,6 @@ class ShadingBuilder {
   /// Binomial weights, 1 2 1 both ways, of a pixel and those that it is paired with.
   void blur() {
     const Lattice& lattice = graph_.lattice;
-    sharp_ = shading_.shades;
     for (int y = 0; y < lattice.height(); ++y) {
       for (int i = lattice.pixel(0, y), end = i + lattice.width(); i < end; ++i)
         shading_.shades[i] = blurred(i);
@@ -124,37 +108,44 @@ class ShadingBuilder {
     std::array<int, 4> sum{};
     int weights = 0;
     const auto add = [&](int other, int weight) {
-      const Rgba c = sharp_[other];
+      const Rgba c = graph_.pixels[other];
       const std::array<int, 4> levels{c.r, c.g, c.b, c.a};
       for (int k = 0; k < 4; ++k) sum[k] += weight * levels[k];
       weights += weight;
     };
     add(pixel, kOwn);
+    // Each neighbour, in a block that it shares with the pixel.
+    struct Neighbour {
+      int block, offset;
+      PairMask bit;
+      int weight;
+    };
     const int stride = graph_.lattice.stride();
-    const int north_west = shading_.blocks[pixel - stride - 1], north_east = shading_.blocks[pixel - stride];
-    const int south_west = shading_.blocks[pixel - 1], south_east = shading_.blocks[pixel];
-    if ((north_west & kEastPair) != 0) add(pixel - stride, kBeside);
-    if ((north_east & kSouthPair) != 0) add(pixel + 1, kBeside);
-    if ((south_east & kWestPair) != 0) add(pixel + stride, kBeside);
-    if ((south_west & kNorthPair) != 0) add(pixel - 1, kBeside);
-    if ((north_west & kMainPair) != 0) add(pixel - stride - 1, kAcross);
-    if ((north_east & kAntiPair) != 0) add(pixel - stride + 1, kAcross);
-    if ((south_east & kMainPair) != 0) add(pixel + stride + 1, kAcross);
-    if ((south_west & kAntiPair) != 0) add(pixel + stride - 1, kAcross);
+    const std::array<Neighbour, 8> around{{{-stride - 1, -stride, kEastPair, kBeside},
+                                           {-stride, 1, kSouthPair, kBeside},
+                                           {0, stride, kWestPair, kBeside},
+                                           {-1, -1, kNorthPair, kBeside},
+                                           {-stride - 1, -stride - 1, kMainPair, kAcross},
+                                           {-stride, -stride + 1, kAntiPair, kAcross},
+                                           {0, stride + 1, kMainPair, kAcross},
+                                           {-1, stride - 1, kAntiPair, kAcross}}};
+    for (const Neighbour& other : around) {
+      if ((shading_.blocks[pixel + other.block] & other.bit) != 0) add(pixel + other.offset, other.weight);
+    }
     const auto level = [&](int k) { return static_cast<std::uint8_t>((sum[k] + weights / 2) / weights); };
     return {level(0), level(1), level(2), level(3)};
   }
 
   Rgba shade(int block, BlockPixel pixel) const { return shading_.shades[block + offset_[pixel]]; }
 
-  bool is_soft(int block, const Pair& pair) const {
+  bool is_soft(int block, const PixelPair& pair) const {
     return softness_ > 0 && is_within_yuv(shade(block, pair.a), shade(block, pair.b), softness_);
   }
 
   /// Whether the ends of a diagonal hang together round it: inside their component, or by soft contours if
   /// they are alike themselves.
   bool goes_round(int pairs, const std::array<std::array<PairMask, 2>, 2>& ways, int block,
-                  const Pair& pair) const {
+                  const PixelPair& pair) const {
     const int visible = cells_.corners[block].visible_edges();
     for (const auto& way : ways) {
       const int both = way[0] | way[1];
@@ -170,11 +161,10 @@ class ShadingBuilder {
     for (const BlockPixel pixel : {kNorthWestPixel, kNorthEastPixel, kSouthWestPixel, kSouthEastPixel}) {
       if (shade(block, pixel) != cells_.colours[block + offset_[pixel]]) return true;
     }
-    const auto differ = [&](const Pair& pair) {
+    const auto differ = [&](const PixelPair& pair) {
       return (pairs & pair.bit) != 0 && shade(block, pair.a) != shade(block, pair.b);
     };
-    return std::any_of(kSides.begin(), kSides.end(), differ) ||
-           std::any_of(kDiagonals.begin(), kDiagonals.end(), differ);
+    return std::any_of(kPixelPairs.begin(), kPixelPairs.end(), differ);
   }
 
   const SimilarityGraph& graph_;
@@ -183,7 +173,6 @@ class ShadingBuilder {
   ShadingKind kind_;
   bool is_merged_, is_blurred_, has_own_shades_;
   Shading& shading_;
-  std::vector<Rgba>& sharp_;
   std::array<int, 4> offset_;
 };
 

@@ -19,6 +19,24 @@ inline constexpr PairMask kWestPair = 8;   ///< NW - SW
 inline constexpr PairMask kMainPair = 16;  ///< NW - SE
 inline constexpr PairMask kAntiPair = 32;  ///< NE - SW
 
+/// A block's pixels, as bits 0 to 3 of a mask name them; and two of them.
+enum BlockPixel : std::uint8_t { kNorthWestPixel, kNorthEastPixel, kSouthWestPixel, kSouthEastPixel };
+struct PixelPair {
+  PairMask bit;
+  BlockPixel a, b;
+};
+/// Those along sides, in the order of the edges between them, then those across.
+inline constexpr std::array<PixelPair, 6> kPixelPairs{{{kNorthPair, kNorthWestPixel, kNorthEastPixel},
+                                                       {kEastPair, kNorthEastPixel, kSouthEastPixel},
+                                                       {kSouthPair, kSouthWestPixel, kSouthEastPixel},
+                                                       {kWestPair, kNorthWestPixel, kSouthWestPixel},
+                                                       {kMainPair, kNorthWestPixel, kSouthEastPixel},
+                                                       {kAntiPair, kNorthEastPixel, kSouthWestPixel}}};
+/// Index offsets from a block to its pixels.
+constexpr std::array<int, 4> block_pixels(int stride) {
+  return {0, 1, stride, stride + 1};
+}
+
 /// How colours run inside the regions of a planar map, where they are not even.
 ///
 /// Between the centres of a block's four pixels, a region has a mixture of the shades of those that blend
@@ -36,16 +54,17 @@ struct Shading {
   std::vector<std::uint8_t>
       blocks;  ///< padded, by block: kShaded and its pairs, or 0: all regions have their colour
 
-  std::vector<Rgba> sharp;  ///< scratch: shades before they are blurred
-
-  friend bool operator==(const Shading& a, const Shading& b) {
-    return a.kind == b.kind && a.any == b.any && a.shades == b.shades && a.blocks == b.blocks;
+  /// Whether anything is shaded in a pixel's square.
+  bool is_shaded(int pixel, int stride) const {
+    return (blocks[pixel - stride - 1] | blocks[pixel - stride] | blocks[pixel - 1] | blocks[pixel]) != 0;
   }
 
-  std::size_t memory_bytes() const { return held_bytes(shades, blocks, sharp); }
+  friend bool operator==(const Shading&, const Shading&) = default;
+
+  std::size_t memory_bytes() const { return held_bytes(shades, blocks); }
 };
 
-/// The pixels of a block that blend with those of a set, itself among them; bits 0 to 3: NW, NE, SW, SE.
+/// The pixels of a block that blend with those of a set, itself among them.
 std::uint8_t blending_pixels(PairMask pairs, int pixels);
 
 /// Finds how colours run inside regions (of stage 3, read by rasterisers only).

@@ -14,16 +14,12 @@ namespace {
 
 /// A disc is opaque in its middle and fades out, three pixels wide, so that little of it reaches the next
 /// centres.
-constexpr std::string_view kFading =
-    "<stop offset=\".33\" stop-opacity=\".6\"/><stop offset=\".67\" stop-opacity=\".12\"/>"
-    "<stop offset=\"1\" stop-opacity=\"0\"/>";
+struct Stop {
+  std::string_view offset, opacity;
+};
+constexpr std::array<Stop, 4> kFading{{{"0", "1"}, {".33", ".6"}, {".67", ".12"}, {"1", "0"}}};
 /// In pixels: as soft as the mixture between two centres is.
 constexpr std::string_view kDeviation = ".45";
-
-bool is_by_shaded(const Shading& shading, int pixel, int stride) {
-  return (shading.blocks[pixel - stride - 1] | shading.blocks[pixel - stride] | shading.blocks[pixel - 1] |
-          shading.blocks[pixel]) != 0;
-}
 
 std::string colour_name(Rgba colour) {
   std::string name;
@@ -72,7 +68,7 @@ class ShadingWriter {
     const Lattice& lattice = map_.lattice;
     for (int y = 0; y < lattice.height(); ++y) {
       for (int i = lattice.pixel(0, y), end = i + lattice.width(); i < end; ++i) {
-        if (map_.colours[i].a != 255 || !is_by_shaded(map_.shading, i, lattice.stride())) continue;
+        if (map_.colours[i].a != 255 || !map_.shading.is_shaded(i, lattice.stride())) continue;
         pixels_.push_back({label_[i], true, i});
       }
     }
@@ -81,22 +77,12 @@ class ShadingWriter {
   /// Pixels on the other sides of soft contours.
   void find_beyond() {
     const Lattice& lattice = map_.lattice;
-    const int stride = lattice.stride();
-    struct Pair {
-      PairMask bit;
-      int a, b;
-    };
-    const std::array<Pair, 6> pairs{{{kNorthPair, 0, 1},
-                                     {kEastPair, 1, stride + 1},
-                                     {kSouthPair, stride, stride + 1},
-                                     {kWestPair, 0, stride},
-                                     {kMainPair, 0, stride + 1},
-                                     {kAntiPair, 1, stride}}};
+    const std::array<int, 4> offset = block_pixels(lattice.stride());
     for (int y = 0; y <= lattice.height(); ++y) {
       for (int block = lattice.corner(0, y), end = block + lattice.width(); block <= end; ++block) {
-        for (const Pair& pair : pairs) {
+        for (const PixelPair& pair : kPixelPairs) {
           if ((map_.shading.blocks[block] & pair.bit) == 0) continue;
-          const int a = block + pair.a, b = block + pair.b;
+          const int a = block + offset[pair.a], b = block + offset[pair.b];
           if (label_[a] == label_[b] || map_.colours[a].a != 255) continue;
           pixels_.push_back({label_[a], false, b});
           pixels_.push_back({label_[b], false, a});
@@ -112,14 +98,10 @@ class ShadingWriter {
     for (const Pixel& pixel : pixels_) colours.emplace(rgba_order(shade(pixel)), shade(pixel));
     for (const auto& [order, colour] : colours) {
       const std::string name = colour_name(colour);
-      out_.append("<radialGradient id=\"g")
-          .append(name)
-          .append("\"><stop offset=\"0\" stop-color=\"#")
-          .append(name)
-          .append("\"/>");
-      for (std::size_t at = 0, next = 0; at < kFading.size(); at = next) {
-        next = kFading.find("/>", at) + 2;
-        out_.append(kFading.substr(at, next - at - 2)).append(" stop-color=\"#").append(name).append("\"/>");
+      out_.append("<radialGradient id=\"g").append(name).append("\">");
+      for (const Stop& stop : kFading) {
+        out_.append("<stop offset=\"").append(stop.offset).append("\" stop-opacity=\"").append(stop.opacity);
+        out_.append("\" stop-color=\"#").append(name).append("\"/>");
       }
       out_.append("</radialGradient>\n<circle id=\"d")
           .append(name)
