@@ -125,15 +125,16 @@ bool CurveFitter::keeps_tangents(int from, int to, glm::dvec2 start, glm::dvec2 
          (is_free_[to] != 0 || !turns(tangents_[to - 1].end, end, kSvgKink));
 }
 
+/// All points so near to the line are one convex shape, round at its ends, so a curve lies in it if its
+/// control points do.
 std::optional<Cubic> CurveFitter::fit_line(int from, int to) const {
   const glm::ivec2 p0 = snapped_start(from), p3 = snapped_end(to);
   const glm::dvec2 chord(p3 - p0);
   if (p0 == p3 || !keeps_tangents(from, to, chord, chord)) return std::nullopt;
-  const double chord_length = length(chord);
   const auto is_off = [&](glm::ivec2 point) {
     const glm::dvec2 way(point - p0);
-    const double ahead = dot(way, chord) / chord_length, aside = cross(way, chord) / chord_length;
-    return std::abs(aside) > tolerance_ || ahead < 0 - tolerance_ || ahead > chord_length + tolerance_;
+    const double part = std::clamp(dot(way, chord) / dot(chord, chord), 0.0, 1.0);
+    return length(way - part * chord) > tolerance_;
   };
   for (int i = from; i < to; ++i) {
     const Cubic& c = chain_[i];

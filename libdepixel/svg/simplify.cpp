@@ -295,9 +295,7 @@ class OutlineSimplifier {
 }  // namespace
 
 void simplify_outlines(double tolerance_px, SvgGrid grid, Outlines& outlines) {
-  // Some contours stray by up to a ninth more than what fits are allowed, for a reason that is not known yet.
-  constexpr double kMargin = 0.88;
-  OutlineSimplifier(kMargin * tolerance_px, grid, outlines).simplify();
+  OutlineSimplifier(tolerance_px, grid, outlines).simplify();
 }
 
 }  // namespace depixel

@@ -165,10 +165,9 @@ bool is_inside(glm::dvec2 point, const std::vector<Polygon>& polygons) {
   return inside;
 }
 
-void append_curve(glm::dvec2 p0, glm::dvec2 p1, glm::dvec2 p2, glm::dvec2 p3, Polygon& polygon) {
-  constexpr int kPieces = 16;
-  for (int i = 1; i <= kPieces; ++i) {
-    const double t = double(i) / kPieces, s = 1 - t;
+void append_curve(glm::dvec2 p0, glm::dvec2 p1, glm::dvec2 p2, glm::dvec2 p3, Polygon& polygon, int pieces) {
+  for (int i = 1; i <= pieces; ++i) {
+    const double t = double(i) / pieces, s = 1 - t;
     polygon.push_back(s * s * s * p0 + 3 * s * s * t * p1 + 3 * s * t * t * p2 + t * t * t * p3);
   }
 }

@@ -18,7 +18,8 @@ using Polygon = std::vector<glm::dvec2>;
 bool is_inside(glm::dvec2 point, const std::vector<Polygon>& polygons);
 
 /// Appends points on a cubic curve to a polygon, its end included, its start not.
-void append_curve(glm::dvec2 p0, glm::dvec2 p1, glm::dvec2 p2, glm::dvec2 p3, Polygon& polygon);
+void append_curve(glm::dvec2 p0, glm::dvec2 p1, glm::dvec2 p2, glm::dvec2 p3, Polygon& polygon,
+                  int pieces = 16);
 
 /// Twenty times the signed area under a cubic curve, as seen from the origin; summed over a closed path,
 /// twenty times the area that lies on its left (y runs down). Exact.

@@ -84,6 +84,17 @@ TEST(CurveFitter, FitsNoLineToWhatIsTooFarOff) {
   EXPECT_FALSE(run.fitter.fit_line(0, 2));
 }
 
+TEST(CurveFitter, FitsNoLineToWhatLeavesItsEndsAskew) {
+  // A control point 0.035 pixel beyond the end and 0.035 aside is farther from it than either.
+  const auto with_last = [](double x, double y) {
+    return Fitting({Cubic{hundredths(0, 0), hundredths(100, 0), hundredths(x, y), hundredths(300, 0)}});
+  };
+  Fitting near = with_last(303.5, 0), far = with_last(303.5, 3.5);
+  near.is_free = far.is_free = {1, 1};
+  EXPECT_TRUE(near.fitter.fit_line(0, 1));
+  EXPECT_FALSE(far.fitter.fit_line(0, 1));
+}
+
 TEST(CurveFitter, KeepsTangentsUnlessFree) {
   Fitting run({{hundredths(0, 0), hundredths(5, 3), hundredths(20, 2), hundredths(40, 0)}});
   EXPECT_FALSE(run.fitter.fit_line(0, 1));

@@ -52,6 +52,16 @@ std::vector<Curve> curves(const Outlines& outlines, bool from_the_other_side) {
 }
 
 /// A loop's points, close to each other, in pixels.
+/// In how many pieces a curve is flattened so that none strays from it by more than 1/1000 pixel: its second
+/// differences bound how far it bends. Long curves need more.
+int pieces_of(glm::dvec2 p0, const OutlinePiece& piece) {
+  constexpr double kStray = 0.001 * kSubpixels;
+  const glm::dvec2 p1(piece.p1), p2(piece.p2), p3(piece.p3);
+  const glm::dvec2 first = p0 - 2.0 * p1 + p2, second = p1 - 2.0 * p2 + p3;
+  const double bend = std::max(std::hypot(first.x, first.y), std::hypot(second.x, second.y));
+  return 1 + static_cast<int>(std::sqrt(0.75 * bend / kStray));
+}
+
 Polygon points(const Outlines& outlines, const OutlineLoop& loop) {
   Polygon polygon;
   glm::ivec2 p0 = outlines.pieces[loop.first + loop.count - 1].p3;
@@ -60,7 +70,7 @@ Polygon points(const Outlines& outlines, const OutlineLoop& loop) {
     if (piece.segment == OutlinePiece::kBorder) {
       polygon.emplace_back(piece.p3);
     } else {
-      append_curve(p0, piece.p1, piece.p2, piece.p3, polygon);
+      append_curve(p0, piece.p1, piece.p2, piece.p3, polygon, pieces_of(p0, piece));
     }
     p0 = piece.p3;
   }
