@@ -16,12 +16,19 @@ class CpuFilter final : public FrameFilter {
     return submitted;
   }
 
-  tl::expected<void, Error> draw(const Target& target, const Viewport& viewport, const View& view) override {
-    if (auto checked = check(target, viewport, view); !checked) return checked;
+  std::size_t memory_bytes() const override {
+    return FrameFilter::memory_bytes() + updater_.memory_bytes() + changes_.memory_bytes();
+  }
+
+ private:
+  static tl::unexpected<Error> refuse_framebuffer() {
+    return tl::unexpected(Error{"The filter that draws by the processor draws to pictures only."});
+  }
+
+  tl::expected<void, Error> draw_checked(const Target& target, const Viewport& viewport,
+                                         const View& view) override {
     const PictureView* picture = picture_of(target);
-    if (picture == nullptr) {
-      return tl::unexpected(Error{"The filter that draws by the processor draws to pictures only."});
-    }
+    if (picture == nullptr) return refuse_framebuffer();
     const PictureView part = part_of(*picture, viewport);
     const bool is_kept = std::holds_alternative<KeptPicture>(target);
     {
@@ -36,11 +43,10 @@ class CpuFilter final : public FrameFilter {
     return {};
   }
 
-  std::size_t memory_bytes() const override {
-    return FrameFilter::memory_bytes() + updater_.memory_bytes() + changes_.memory_bytes();
+  tl::expected<void, Error> clear(const GlFramebuffer&, const Viewport&) override {
+    return refuse_framebuffer();
   }
 
- private:
   tl::expected<void, Error> compare_with_scratch(const PictureView& drawn, const View& view) const {
     const std::size_t row = std::size_t{4} * drawn.width;
     std::vector<std::uint8_t> pixels(row * drawn.height);

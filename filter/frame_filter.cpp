@@ -19,6 +19,11 @@ bool is_inside(const Viewport& viewport, const PictureView& picture) {
          viewport.height <= picture.height - viewport.y;
 }
 
+/// Whether the rows of a target are counted from its bottom.
+bool is_upside_down(const Target& target) {
+  return std::holds_alternative<GlFramebuffer>(target);
+}
+
 }  // namespace
 
 bool FrameFilter::has_pixels(const FrameView& frame) {
@@ -68,10 +73,62 @@ tl::expected<void, Error> FrameFilter::check(const Target& target, const Viewpor
     return scale > 0 && std::abs(origin * scale) < kLargestCoordinate &&
            std::abs((size - origin) * scale) < kLargestCoordinate;
   };
-  if (!in_range(view.scale_x, view.origin_x, lattice.width()) ||
-      !in_range(view.scale_y, view.origin_y, lattice.height())) {
+  const View all = view.from_margin(lattice);
+  if (!in_range(view.scale_x, all.origin_x, lattice.width()) ||
+      !in_range(view.scale_y, all.origin_y, lattice.height())) {
     return refuse(fmt::format("The view's scale of {} by {} at {}, {} is out of range.", view.scale_x,
                               view.scale_y, view.origin_x, view.origin_y));
+  }
+  return {};
+}
+
+tl::expected<void, Error> FrameFilter::draw(const Target& target, const Viewport& viewport,
+                                            const View& view) {
+  if (auto checked = check(target, viewport, view); !checked) return checked;
+  if (vectorizer_.lattice().margin() == 0) return draw_checked(target, viewport, view);
+  const Viewport inside = part_inside_frame(target, viewport, view);
+  if (inside.width > 0 && inside.height > 0) {
+    const int from_top = is_upside_down(target) ? viewport.y + viewport.height - inside.y - inside.height
+                                                : inside.y - viewport.y;
+    const View part{view.scale_x, view.scale_y, view.origin_x + (inside.x - viewport.x) / view.scale_x,
+                    view.origin_y + from_top / view.scale_y};
+    if (auto drawn = draw_checked(target, inside, part); !drawn) return drawn;
+  }
+  return clear_outside(target, viewport, inside);
+}
+
+/// The frame's rectangle in the viewport, to the nearest output pixels.
+Viewport FrameFilter::part_inside_frame(const Target& target, const Viewport& viewport,
+                                        const View& view) const {
+  const Lattice& lattice = vectorizer_.lattice();
+  const auto edge = [](double source, double scale, double origin, int size) {
+    return static_cast<int>(std::clamp(std::round((source - origin) * scale), 0.0, double(size)));
+  };
+  const int west = edge(0, view.scale_x, view.origin_x, viewport.width);
+  const int east = edge(lattice.shown_width(), view.scale_x, view.origin_x, viewport.width);
+  const int north = edge(0, view.scale_y, view.origin_y, viewport.height);
+  const int south = edge(lattice.shown_height(), view.scale_y, view.origin_y, viewport.height);
+  const int first_row = is_upside_down(target) ? viewport.height - south : north;
+  return {viewport.x + west, viewport.y + first_row, east - west, south - north};
+}
+
+tl::expected<void, Error> FrameFilter::clear_outside(const Target& target, const Viewport& viewport,
+                                                     const Viewport& inside) {
+  const int east = viewport.x + viewport.width, end = viewport.y + viewport.height;
+  const int inside_east = inside.x + inside.width, inside_end = inside.y + inside.height;
+  for (const Viewport& part : {Viewport{viewport.x, viewport.y, viewport.width, inside.y - viewport.y},
+                               Viewport{viewport.x, inside_end, viewport.width, end - inside_end},
+                               Viewport{viewport.x, inside.y, inside.x - viewport.x, inside.height},
+                               Viewport{inside_east, inside.y, east - inside_east, inside.height}}) {
+    if (part.width <= 0 || part.height <= 0) continue;
+    if (const PictureView* picture = picture_of(target)) {
+      const PictureView pixels = part_of(*picture, part);
+      for (int y = 0; y < pixels.height; ++y) {
+        std::fill_n(pixels.pixels + y * pixels.pitch, std::size_t{4} * pixels.width, std::uint8_t{0});
+      }
+    } else if (auto cleared = clear(std::get<GlFramebuffer>(target), part); !cleared) {
+      return cleared;
+    }
   }
   return {};
 }

@@ -84,10 +84,11 @@ class FrameFilter {
 
   /// Draws a view of the submitted frame over a viewport. Outside of the frame lies transparency, which is
   /// written like any colour: nothing is blended with what the target held. Colours have straight alpha. The
-  /// OpenGL filter leaves the context's state as it was. \return an error if nothing was submitted, the view
-  /// is out of range, the viewport is not inside the picture, or OpenGL failed.
-  virtual tl::expected<void, Error> draw(const Target& target, const Viewport& viewport,
-                                         const View& view) = 0;
+  /// OpenGL filter leaves the context's state as it was. Where the options continue the border, the frame
+  /// ends at the output pixel that is nearest to its edge; else it covers a part of that pixel. \return an
+  /// error if nothing was submitted, the view is out of range, the viewport is not inside the picture, or
+  /// OpenGL failed.
+  tl::expected<void, Error> draw(const Target& target, const Viewport& viewport, const View& view);
 
   /// To be called when the context was lost: all its objects are forgotten without being deleted, and are
   /// made anew, on the context that is current then, by the next draw().
@@ -109,14 +110,24 @@ class FrameFilter {
 
   /// Whether submit() takes a frame.
   static bool has_pixels(const FrameView& frame);
-  /// Checks what draw() is asked for.
-  tl::expected<void, Error> check(const Target& target, const Viewport& viewport, const View& view) const;
+  /// Draws over a viewport that is inside the target. Where the frame has a margin, the view shows none of
+  /// it.
+  virtual tl::expected<void, Error> draw_checked(const Target& target, const Viewport& viewport,
+                                                 const View& view) = 0;
+  /// Makes a part of a framebuffer transparent.
+  virtual tl::expected<void, Error> clear(const GlFramebuffer& framebuffer, const Viewport& part) = 0;
 
   IncrementalVectorizer vectorizer_;
   Options options_;
   bool is_checking_ = false;
   bool has_frame_ = false;
   FilterStats stats_;
+
+ private:
+  tl::expected<void, Error> check(const Target& target, const Viewport& viewport, const View& view) const;
+  Viewport part_inside_frame(const Target& target, const Viewport& viewport, const View& view) const;
+  tl::expected<void, Error> clear_outside(const Target& target, const Viewport& viewport,
+                                          const Viewport& inside);
 };
 
 }  // namespace depixel

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -73,8 +74,15 @@ class GlFilter final : public FrameFilter {
     return submitted;
   }
 
-  tl::expected<void, Error> draw(const Target& target, const Viewport& viewport, const View& view) override {
-    if (auto checked = check(target, viewport, view); !checked) return checked;
+  void context_lost() override {
+    if (raster_) raster_->forget();
+    readback_.forget();
+    raster_.reset();
+  }
+
+ private:
+  tl::expected<void, Error> draw_checked(const Target& target, const Viewport& viewport,
+                                         const View& view) override {
     if (viewport.width == 0 || viewport.height == 0) return {};
     if (std::min(view.scale_x, view.scale_y) < kSmallestGlScale) {
       return tl::unexpected(Error{fmt::format("OpenGL draws at scales from {} on, and this is {} by {}.",
@@ -105,13 +113,20 @@ class GlFilter final : public FrameFilter {
     return {};
   }
 
-  void context_lost() override {
-    if (raster_) raster_->forget();
-    readback_.forget();
-    raster_.reset();
+  tl::expected<void, Error> clear(const GlFramebuffer& framebuffer, const Viewport& part) override {
+    if (!raster_) {
+      if (auto started = start(); !started) return started;
+    }
+    const GlStateGuard guard(gl_);
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.name);
+    gl_.Enable(GL_SCISSOR_TEST);
+    gl_.Scissor(part.x, part.y, part.width, part.height);
+    constexpr std::array<GLfloat, 4> kTransparent{};
+    gl_.ClearBufferfv(GL_COLOR, 0, kTransparent.data());
+    gl_.Disable(GL_SCISSOR_TEST);
+    return {};
   }
 
- private:
   /// Cuts tiles of the map and sends them: those that changed, or all where the scale is new.
   tl::expected<void, Error> prepare(glm::dvec2 scale) {
     const bool is_cut = !changes_.any() && updater_.is_for(scale, encoding());
@@ -157,7 +172,7 @@ class GlFilter final : public FrameFilter {
   tl::expected<void, Error> draw_to(const GlFramebuffer& framebuffer, const Viewport& viewport,
                                     const View& view) {
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.name);
-    raster_->draw(viewport, view, style());
+    raster_->draw(viewport, view.from_margin(vectorizer_.lattice()), style());
     return {};
   }
 
@@ -176,7 +191,8 @@ class GlFilter final : public FrameFilter {
   Readback::Rows rows_to_draw(const PictureView& part, const View& view, bool is_kept) const {
     if (!is_kept || !(drawn_.part == part && drawn_.view == view)) return {0, part.height};
     if (stale_.first >= stale_.end) return {0, 0};
-    const auto row = [&](int source_y) { return (source_y - view.origin_y) * view.scale_y; };
+    const double origin_y = view.from_margin(vectorizer_.lattice()).origin_y;
+    const auto row = [&](int source_y) { return (source_y - origin_y) * view.scale_y; };
     const double first = std::floor(row(stale_.first)) - 1, end = std::ceil(row(stale_.end)) + 1;
     return {static_cast<int>(std::clamp(first, 0.0, double(part.height))),
             static_cast<int>(std::clamp(end, 0.0, double(part.height)))};
@@ -193,7 +209,7 @@ class GlFilter final : public FrameFilter {
       for (int first = rows.first; first < rows.end; first += band) {
         const Readback::Rows some{first, std::min(first + band, rows.end)};
         Readback::restrict_to(gl_, part, some);
-        raster_->draw({0, 0, part.width, part.height}, view, style());
+        raster_->draw({0, 0, part.width, part.height}, view.from_margin(vectorizer_.lattice()), style());
         readback_.request(gl_, part, some);
       }
       gl_.Disable(GL_SCISSOR_TEST);

@@ -32,24 +32,35 @@ void ComponentFinder::take(const PlanarMap& map, const SimilarityGraph& graph, s
   colours_ = map.colours;
   label_components(graph, components_);
   trace_outlines(map, graph, components_, outlines_);
+  for (OutlinePiece& piece : outlines_.pieces) {
+    for (glm::ivec2* point : {&piece.p1, &piece.p2, &piece.p3}) *point -= lattice_.margin() * kSubpixels;
+  }
+  sizes_px_.assign(components_.size.size(), 0);
+  for (int y = 0; y < lattice_.shown_height(); ++y) {
+    for (int x = 0; x < lattice_.shown_width(); ++x) ++sizes_px_[components_.label[shown_pixel(x, y)]];
+  }
+}
+
+int ComponentFinder::shown_pixel(int x, int y) const {
+  return lattice_.pixel(x + lattice_.margin(), y + lattice_.margin());
 }
 
 std::optional<FoundComponent> ComponentFinder::at(glm::dvec2 point) const {
   const glm::ivec2 pixel(static_cast<int>(std::floor(point.x)), static_cast<int>(std::floor(point.y)));
-  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= lattice_.width() || pixel.y >= lattice_.height()) {
+  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= lattice_.shown_width() || pixel.y >= lattice_.shown_height()) {
     return std::nullopt;
   }
   // Curves stray from their pixels by less than one, so that the shape belongs to this pixel or a neighbour.
-  int found = lattice_.pixel(pixel.x, pixel.y);
-  for (int y = std::max(0, pixel.y - 1); y <= std::min(lattice_.height() - 1, pixel.y + 1); ++y) {
-    for (int x = std::max(0, pixel.x - 1); x <= std::min(lattice_.width() - 1, pixel.x + 1); ++x) {
-      if (holds(components_.label[lattice_.pixel(x, y)], point * double(kSubpixels))) {
-        found = lattice_.pixel(x, y);
+  int found = shown_pixel(pixel.x, pixel.y);
+  for (int y = std::max(0, pixel.y - 1); y <= std::min(lattice_.shown_height() - 1, pixel.y + 1); ++y) {
+    for (int x = std::max(0, pixel.x - 1); x <= std::min(lattice_.shown_width() - 1, pixel.x + 1); ++x) {
+      if (holds(components_.label[shown_pixel(x, y)], point * double(kSubpixels))) {
+        found = shown_pixel(x, y);
       }
     }
   }
   const int component = components_.label[found];
-  return FoundComponent{component, colours_[found], components_.size[component]};
+  return FoundComponent{component, colours_[found], sizes_px_[component]};
 }
 
 bool ComponentFinder::holds(int component, glm::dvec2 point) const {

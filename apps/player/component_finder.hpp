@@ -30,17 +30,20 @@ class ComponentFinder {
   /// \param point  in source pixels. \return none outside of the picture.
   std::optional<FoundComponent> at(glm::dvec2 point) const;
 
+  /// Outlines, in subpixels of what is shown.
   std::span<const OutlineLoop> loops(int component) const;
   std::span<const OutlinePiece> pieces(const OutlineLoop& loop) const;
 
  private:
   bool holds(int component, glm::dvec2 point) const;
+  int shown_pixel(int x, int y) const;
 
   std::optional<std::uint64_t> version_;
   Lattice lattice_;
   std::vector<Rgba> colours_;
   Components components_;
   Outlines outlines_;
+  std::vector<int> sizes_px_;  ///< of components, without what lies in the margin
 };
 
 }  // namespace depixel

@@ -13,6 +13,8 @@ struct FrameView {
   int width = 0;                         ///< pixels
   int height = 0;                        ///< pixels
   std::ptrdiff_t pitch = 0;              ///< bytes from one row to the next
+  /// Pixels at each side that continue the picture beyond its border: they are vectorized, and not shown.
+  int margin = 0;
 };
 
 /// The order of a pixel's bytes in memory.

@@ -32,10 +32,15 @@ class Lattice {
   static constexpr int kPad = 8;
 
   constexpr Lattice() = default;
-  constexpr Lattice(int width, int height) : width_(width), height_(height) {}
+  constexpr Lattice(int width, int height, int margin = 0)
+      : width_(width), height_(height), margin_(margin) {}
 
   constexpr int width() const { return width_; }
   constexpr int height() const { return height_; }
+  /// Pixels at each side that are beyond the border of the picture shown; see FrameView.
+  constexpr int margin() const { return margin_; }
+  constexpr int shown_width() const { return width_ - 2 * margin_; }
+  constexpr int shown_height() const { return height_ - 2 * margin_; }
   constexpr int stride() const { return width_ + 2 * kPad; }
   constexpr int size() const { return stride() * (height_ + 2 * kPad); }  ///< entries of a padded array
 
@@ -56,7 +61,7 @@ class Lattice {
   friend constexpr bool operator==(const Lattice&, const Lattice&) = default;
 
  private:
-  int width_ = 0, height_ = 0;
+  int width_ = 0, height_ = 0, margin_ = 0;
 };
 
 }  // namespace depixel

@@ -10,6 +10,7 @@ constexpr std::array<std::string_view, 3> kSplineNames{"adaptive", "approximate"
 constexpr std::array<std::string_view, 3> kSmoothingNames{"energy", "average", "none"};
 constexpr std::array<std::string_view, 3> kShadingNames{"none", "gradient", "blur"};
 constexpr std::array<std::string_view, 2> kCurveRuleNames{"valence", "continuity"};
+constexpr std::array<std::string_view, 3> kBorderNames{"fixed", "repeat", "mirror"};
 
 template <auto Member>
 ChoiceOption choice(std::span<const std::string_view> names) {
@@ -25,7 +26,7 @@ constexpr int kMaxThreads = 256;
 }  // namespace
 
 std::span<const OptionInfo> option_table() {
-  static const std::array<OptionInfo, 12> kTable{{
+  static const std::array<OptionInfo, 14> kTable{{
       {"similarity", "Pixels belong together when their colours are equal (exact) or alike (merge)",
        choice<&Options::similarity>(kSimilarityNames)},
       {"connect-lines", "Join lines of similar colour across diagonals",
@@ -42,6 +43,12 @@ std::span<const OptionInfo> option_table() {
        NumberOption{&Options::sparse_weight, 0.0, kMaxWeight}},
       {"island-weight", "Vote against cutting off a single pixel at a crossing",
        NumberOption{&Options::island_weight, 0.0, kMaxWeight}},
+      {"border",
+       "How the picture goes on beyond its border: contours end there (fixed), or go on through pixels that "
+       "repeat or mirror those inside",
+       choice<&Options::border>(kBorderNames)},
+      {"text-safe", "Leave small text and thin lines on plain ground as they are in the cell graph",
+       SwitchOption{&Options::text_safe}},
       {"shading", "How the colours of pixels that merged or were connected run inside their component",
        choice<&Options::shading>(kShadingNames)},
       {"soft-contours", "Distance of colours (0 to 100) up to which a contour between them is drawn soft",

@@ -11,6 +11,8 @@ enum class SplineKind { adaptive, approximate, interpolate };
 enum class Smoothing { energy, average, none };
 enum class ShadingKind { none, gradient, blur };
 enum class CurveRule { valence, continuity };
+/// How a picture goes on beyond its border: not at all, by its outermost pixels, or mirrored.
+enum class BorderKind { fixed, repeat, mirror };
 
 /// Everything that a user can choose about vectorizing and drawing. The defaults are the best-scoring ones.
 struct Options {
@@ -22,6 +24,8 @@ struct Options {
   double curve_weight = 1.0;
   double sparse_weight = 1.0;
   double island_weight = 5.0;
+  BorderKind border = BorderKind::fixed;
+  bool text_safe = false;
   ShadingKind shading = ShadingKind::none;
   double soft_contours = 0.0;  ///< YUV distance in levels; none at 0
   bool linear_light = false;

@@ -37,10 +37,11 @@ constexpr Rgba kUnknownColour{1, 1, 1, 0};
 
 }  // namespace
 
-void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& options) {
+void IncrementalVectorizer::vectorize(const FrameView& shown, const Options& options) {
   StageClock clock(stats_);
+  const FrameView frame = border_.continued(shown, options.border);
   workers_.set_threads(options.threads);
-  const Lattice size(frame.width, frame.height);
+  const Lattice size(frame.width, frame.height, frame.margin);
   const bool is_known = options_ && *options_ == of_vectorizing(options) && lattice() == size &&
                         table_.places() <= place_limit_;
   options_ = of_vectorizing(options);
@@ -71,7 +72,7 @@ void IncrementalVectorizer::vectorize(const FrameView& frame, const Options& opt
   } else {
     recolour();
     encode();
-    find_thin();
+    mark();
     add_seams();
     is_whole_ = has_many_stale();
   }
@@ -109,7 +110,7 @@ void IncrementalVectorizer::forget(const Lattice& lattice) {
   graph_.reset(lattice);
   cells_.lattice = {};
   cells_.resize(lattice);
-  thin_.assign(lattice.size() + sizeof(Byte16), 1);  // as all pixels without links are
+  marks_.assign(lattice.size() + sizeof(Byte16), 1);  // as all pixels without links are
   table_.clear();
   table_.reserve(static_cast<std::size_t>(most_places(lattice) +
                                           kAddedPlacesAPixel * lattice.width() * lattice.height()));
@@ -156,8 +157,8 @@ void IncrementalVectorizer::move_blocks_of_map() {
   move_blocks(blocks_, pixels, kUnknownColour, colours_before_, cells_.colours);
   move_blocks(blocks_, GridPart::corners(lattice()), CornerCode{}, codes_before_, cells_.corners);
   move_blocks(blocks_, GridPart::corners(lattice(), 2), 0, curves_before_, edges_.curve);
-  moved_ = thin_;
-  move_blocks(blocks_, pixels, std::uint8_t{0}, moved_, thin_);
+  moved_marks_ = marks_;
+  move_blocks(blocks_, pixels, PixelMarks{0}, moved_marks_, marks_);
   const auto hidden = std::count(edges_.curve.begin(), edges_.curve.end(), 0);
   stats_.segments = static_cast<int>(static_cast<std::ptrdiff_t>(edges_.curve.size()) - hidden);
   is_before_settled_ = false;
@@ -172,10 +173,10 @@ const Components* IncrementalVectorizer::find_components() {
   return &components_;
 }
 
-/// Colours and codes of all cells, and what pixels are thin.
+/// Colours and codes of all cells, and the marks of pixels.
 void IncrementalVectorizer::build_cells() {
   build_cell_graph(graph(), find_components(), cells_);
-  if (options_->smoothing == Smoothing::energy) find_thin_pixels(graph(), thin_);
+  if (options_->smoothing == Smoothing::energy) find_pixel_marks(graph(), options_->text_safe, marks_);
   stale_.clear();
   is_opaque_ = depixel::is_opaque(lattice(), cells_.colours);
 }
@@ -234,34 +235,40 @@ void IncrementalVectorizer::encode_row(int y, std::span<const BlockSet::Run> run
   }
 }
 
-/// Rule::thin_by_links.
-void IncrementalVectorizer::find_thin() {
-  if (options_->smoothing != Smoothing::energy || !rules_.has(Rule::thin_by_links)) return;
-  for (int y = 0; y < lattice().height(); ++y) {
-    if (!graph_.stale().runs(y).empty()) find_thin_row(y);
+/// Rule::marks_by_links and Rule::text_by_marks. What makes a mark differ is less than a block away.
+void IncrementalVectorizer::mark() {
+  if (options_->smoothing != Smoothing::energy || !rules_.has(Rule::marks_by_links)) return;
+  marks_before_ = marks_;
+  const auto for_each_run = [&](auto visit) {
+    for (int y = 0; y < lattice().height(); ++y) {
+      for (const BlockSet::Run run : graph_.stale().runs(y)) visit(y, run);
+    }
+  };
+  for_each_run([&](int y, BlockSet::Run run) {
+    mark_lines(graph(), options_->text_safe, y, run.from, run.to, marks_);
+  });
+  if (options_->text_safe && rules_.has(Rule::text_by_marks)) {
+    for_each_run([&](int y, BlockSet::Run run) { mark_text(graph(), y, run.from, run.to, marks_); });
+  }
+  if (rules_.has(Rule::curves_by_marks)) {
+    for_each_run([&](int y, BlockSet::Run run) { add_newly_marked(y, run); });
   }
 }
 
-/// Rule::curves_by_thin: contours along pixels that are thin no longer, or now, are stale.
-void IncrementalVectorizer::find_thin_row(int y) {
-  const int first = lattice().pixel(0, y), stride = lattice().stride();
-  const std::uint8_t* thin = thin_.data() + first;
-  for (const BlockSet::Run run : graph_.stale().runs(y)) {
-    row_before_.assign(thin + run.from, thin + run.to + sizeof(Byte16));
-    find_thin_pixels(graph(), y, run.from, run.to, thin_);
-    if (!rules_.has(Rule::curves_by_thin)) continue;
-    for_each_difference(thin + run.from, row_before_.data(), run.to - run.from, [&](int i) {
-      const int pixel = first + run.from + i;
-      for (const int corner : {pixel - stride - 1, pixel - stride, pixel - 1, pixel}) {
-        const CornerCode code = cells_.corners[corner];
-        if (code.visible_edges() != 0) add_stale(corner, code);
-      }
-    });
-  }
+/// Rule::curves_by_marks: contours along pixels with other marks than before are stale.
+void IncrementalVectorizer::add_newly_marked(int y, BlockSet::Run run) {
+  const int first = lattice().pixel(run.from, y), stride = lattice().stride();
+  for_each_difference(marks_.data() + first, marks_before_.data() + first, run.to - run.from, [&](int i) {
+    const int pixel = first + i;
+    for (const int corner : {pixel - stride - 1, pixel - stride, pixel - 1, pixel}) {
+      const CornerCode code = cells_.corners[corner];
+      if (code.visible_edges() != 0) add_stale(corner, code);
+    }
+  });
 }
 
-/// Rule::curves_by_seams: contours that cross a seam are stale, and those that run along one by pixels that
-/// are thin where those before were not, or the other way round.
+/// Rule::curves_by_seams: contours that cross a seam are stale, and those that run along one by pixels with
+/// other marks than those before.
 void IncrementalVectorizer::add_seams() {
   if (!rules_.has(Rule::curves_by_seams)) return;
   const BlockGrid& grid = blocks_.grid();
@@ -275,23 +282,22 @@ void IncrementalVectorizer::add_seams() {
     for (glm::ivec2 at(grid.first_x(seam.column), grid.first_y(seam.row));; at += kStep[along]) {
       const int corner = lattice().corner(at.x, at.y);
       const CornerCode code = cells_.corners[corner];
-      const bool is_stale = code.is_visible(across) ||
-                            (at != last && code.is_visible(along) && has_new_thin_side(at + seam.step, seam));
+      const bool is_stale = code.is_visible(across) || (at != last && code.is_visible(along) &&
+                                                        has_new_mark_beside(at + seam.step, seam));
       if (is_stale) add_stale(corner, code);
       if (at == last) break;
     }
   }
 }
 
-/// Whether a pixel beyond a seam is thin, and what was there for the block on this side was not; or the other
-/// way round.
-bool IncrementalVectorizer::has_new_thin_side(glm::ivec2 beyond, const BlockMoves::Seam& seam) const {
+/// Whether a pixel beyond a seam has other marks than what was there for the block on this side.
+bool IncrementalVectorizer::has_new_mark_beside(glm::ivec2 beyond, const BlockMoves::Seam& seam) const {
   if (options_->smoothing != Smoothing::energy) return false;
-  const auto thin_at = [&](const std::vector<std::uint8_t>& thin, glm::ivec2 at) {
+  const auto mark_at = [&](const std::vector<std::uint8_t>& marks, glm::ivec2 at) {
     const bool is_inside = at.x >= 0 && at.y >= 0 && at.x < lattice().width() && at.y < lattice().height();
-    return is_inside && thin[lattice().pixel(at.x, at.y)] != 0;
+    return is_inside ? marks[lattice().pixel(at.x, at.y)] : std::uint8_t{0};
   };
-  return thin_at(thin_, beyond) != thin_at(moved_, beyond - blocks_.move(seam.column, seam.row));
+  return mark_at(marks_, beyond) != mark_at(moved_marks_, beyond - blocks_.move(seam.column, seam.row));
 }
 
 void IncrementalVectorizer::add_stale(int corner, CornerCode before) {
@@ -323,7 +329,7 @@ void IncrementalVectorizer::trace() {
     if (!rules_.has(Rule::curves_by_codes)) traced = traced.first(traced.size() / 2);
     trace_contours_through(cells_, traced, contours_);
   }
-  cut_arcs(cells_, contours_, thin_, options_->spline, options_->smoothing, arcs_);
+  cut_arcs(cells_, contours_, marks_, options_->spline, options_->smoothing, arcs_);
   stats_.stale_corners = static_cast<int>(stale_.size());
   stats_.contours = static_cast<int>(contours_.list.size());
   stats_.nodes = static_cast<int>(contours_.corner.size());
@@ -412,10 +418,12 @@ const PlanarMap& IncrementalVectorizer::map() const {
 }
 
 std::size_t IncrementalVectorizer::memory_bytes() const {
-  return graph_.memory_bytes() + blocks_.memory_bytes() + components_.memory_bytes() + cells_.memory_bytes() +
-         shading_.memory_bytes() + shading_before_.memory_bytes() +
-         held_bytes(colours_before_, changed_colours_, thin_, stale_, stale_codes_, curves_before_,
-                    set_curves_, is_slot_set_, codes_before_, row_before_, moved_, unpainted_) +
+  return border_.memory_bytes() + graph_.memory_bytes() + blocks_.memory_bytes() +
+         components_.memory_bytes() + cells_.memory_bytes() + shading_.memory_bytes() +
+         shading_before_.memory_bytes() +
+         held_bytes(colours_before_, changed_colours_, marks_, stale_, stale_codes_, curves_before_,
+                    set_curves_, is_slot_set_, codes_before_, row_before_, marks_before_, moved_marks_,
+                    unpainted_) +
          contours_.memory_bytes() + arcs_.memory_bytes() + votes_.memory_bytes() + guess_.memory_bytes() +
          table_.memory_bytes() + edges_.memory_bytes() + comparison_.memory_bytes() +
          changes_.memory_bytes() + map_.memory_bytes();

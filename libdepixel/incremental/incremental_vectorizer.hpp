@@ -24,8 +24,8 @@ class IncrementalVectorizer {
  public:
   explicit IncrementalVectorizer(RuleSet rules = {}) : rules_(rules) {}
 
-  /// \param frame  at least 1x1 pixels; read during the call only.
-  void vectorize(const FrameView& frame, const Options& options);
+  /// \param shown  a frame of at least 1x1 pixels; read during the call only.
+  void vectorize(const FrameView& shown, const Options& options);
   /// Forgets the frames before: the next one is vectorized from scratch.
   void reset() { options_.reset(); }
 
@@ -57,10 +57,10 @@ class IncrementalVectorizer {
   void find_changed_colours(const BlockSet& blocks, const std::vector<Rgba>& others);
   void encode();
   void encode_row(int y, std::span<const BlockSet::Run> runs);
-  void find_thin();
-  void find_thin_row(int y);
+  void mark();
+  void add_newly_marked(int y, BlockSet::Run run);
   void add_seams();
-  bool has_new_thin_side(glm::ivec2 beyond, const BlockMoves::Seam& seam) const;
+  bool has_new_mark_beside(glm::ivec2 beyond, const BlockMoves::Seam& seam) const;
   void add_stale(int corner, CornerCode before);
   void remove_edges();
   void trace();
@@ -77,6 +77,7 @@ class IncrementalVectorizer {
   std::optional<Options> options_;  ///< of the frame before; none at first
   Workers workers_;
 
+  Border border_;
   MoveGuess guess_;
   BlockMoves blocks_;
   IncrementalGraph graph_;
@@ -86,7 +87,7 @@ class IncrementalVectorizer {
   std::vector<int> changed_colours_;  ///< pixels whose colours are not those moved here
   bool is_opaque_ = false;
   Shading shading_, shading_before_;
-  std::vector<std::uint8_t> thin_;
+  std::vector<PixelMarks> marks_;
 
   bool is_whole_ = false;                ///< all contours are traced again
   std::vector<int> stale_;               ///< corners whose contours are to be traced again
@@ -108,7 +109,8 @@ class IncrementalVectorizer {
   MapChanges changes_;
 
   std::vector<std::uint8_t> row_before_;  ///< scratch
-  std::vector<std::uint8_t> moved_;       ///< thin_ before it was moved
+  std::vector<PixelMarks> marks_before_;  ///< scratch
+  std::vector<PixelMarks> moved_marks_;   ///< marks_ before they were moved
   std::vector<Rgba> unpainted_;           ///< scratch
   mutable PlanarMap map_;
   mutable bool is_map_made_ = false;

@@ -15,7 +15,7 @@ namespace depixel {
 /// known on both sides was not side by side before.
 ///
 /// With merging or connected lines, links and colours depend on whole components: all links, codes and
-/// colours are computed anew then, and compared with those before; the rules from `thin_by_links` on are the
+/// colours are computed anew then, and compared with those before; the rules from `marks_by_links` on are the
 /// same.
 enum class Rule : std::uint8_t {
   links_by_pixels,       ///< a block's links before crossings are resolved: its four pixels
@@ -26,24 +26,26 @@ enum class Rule : std::uint8_t {
   crossings_by_seams,      ///< what is cut at a crossing: how its curves go on beyond a seam
   codes_by_pixels,         ///< a corner's code: links and, at T-junctions and borders, colours round it
   codes_by_crossings,  ///< a corner's code: what is cut at crossings beside it, however far from any change
-  thin_by_links,       ///< whether a pixel is thin: resolved links of the four blocks round it
-  edges_by_codes,      ///< whether an edge is visible: the codes of its corners
-  curves_by_codes,     ///< the curves of a contour: the codes of all its corners
-  curves_by_thin,      ///< the curves of a contour: the thin pixels along it
-  curves_by_seams,     ///< the curves of a contour: how it goes on beyond a seam, and what is thin there
-  joints_by_curves,    ///< where a contour ends at a T-junction: the curves of the one that goes through
-  tiles_by_curves,     ///< what a tile shows: the curves in it, before and now
-  tiles_by_colours,    ///< what a tile shows: its pixel's colour
+  marks_by_links,  ///< whether a pixel is thin, or in a stroke: resolved links of the four blocks round it,
+                   ///< and pixels up to three away
+  text_by_marks,          ///< whether a pixel is text's: strokes up to four pixels away
+  edges_by_codes,         ///< whether an edge is visible: the codes of its corners
+  curves_by_codes,        ///< the curves of a contour: the codes of all its corners
+  curves_by_marks,        ///< the curves of a contour: the thin pixels and those of text along it
+  curves_by_seams,        ///< the curves of a contour: how it goes on beyond a seam, and what is marked there
+  joints_by_curves,       ///< where a contour ends at a T-junction: the curves of the one that goes through
+  tiles_by_curves,        ///< what a tile shows: the curves in it, before and now
+  tiles_by_colours,       ///< what a tile shows: its pixel's colour
   tiles_by_side_colours,  ///< what a tile shows: the colours on the sides of the curves in it
   tiles_by_seams,         ///< what a tile shows: curves and colours from beyond a seam
   tiles_by_shading        ///< what a tile shows: how colours run in the four blocks round its pixel
 };
-inline constexpr std::array<std::string_view, 19> kRuleNames{
-    "links_by_pixels",        "links_by_seams",     "crossings_by_windows", "crossings_by_curves",
-    "crossings_by_junctions", "crossings_by_seams", "codes_by_pixels",      "codes_by_crossings",
-    "thin_by_links",          "edges_by_codes",     "curves_by_codes",      "curves_by_thin",
-    "curves_by_seams",        "joints_by_curves",   "tiles_by_curves",      "tiles_by_colours",
-    "tiles_by_side_colours",  "tiles_by_seams",     "tiles_by_shading"};
+inline constexpr std::array<std::string_view, 20> kRuleNames{
+    "links_by_pixels",        "links_by_seams",        "crossings_by_windows", "crossings_by_curves",
+    "crossings_by_junctions", "crossings_by_seams",    "codes_by_pixels",      "codes_by_crossings",
+    "marks_by_links",         "text_by_marks",         "edges_by_codes",       "curves_by_codes",
+    "curves_by_marks",        "curves_by_seams",       "joints_by_curves",     "tiles_by_curves",
+    "tiles_by_colours",       "tiles_by_side_colours", "tiles_by_seams",       "tiles_by_shading"};
 
 /// The rules that are obeyed. All of them, but in tests that show what goes wrong without one.
 class RuleSet {

@@ -14,11 +14,12 @@ const PlanarMap& Vectorizer::vectorize(const FrameView& frame, const Options& op
   return map_;
 }
 
-void Vectorizer::vectorize_by_edge(const FrameView& frame, const Options& options) {
+void Vectorizer::vectorize_by_edge(const FrameView& shown, const Options& options) {
   const bool merges = options.has_whole_components();
   workers_.set_threads(options.threads);
   StageClock clock(stats_);
 
+  const FrameView frame = border_.continued(shown, options.border);
   build_similarity_graph(frame, options.similarity, options.connect_lines, graph_);
   clock.finish(0);
 
@@ -31,11 +32,11 @@ void Vectorizer::vectorize_by_edge(const FrameView& frame, const Options& option
     find_majority_colours(graph_, components_);
   }
   build_cell_graph(graph_, merges ? &components_ : nullptr, cells_);
-  if (options.smoothing == Smoothing::energy) find_thin_pixels(graph_, thin_);
+  if (options.smoothing == Smoothing::energy) find_pixel_marks(graph_, options.text_safe, marks_);
   clock.finish(2);
 
   trace_contours(cells_, contours_);
-  cut_arcs(cells_, contours_, thin_, options.spline, options.smoothing, arcs_);
+  cut_arcs(cells_, contours_, marks_, options.spline, options.smoothing, arcs_);
   clock.finish(3);
 
   fit(options);
@@ -72,8 +73,8 @@ void Vectorizer::fit(const Options& options) {
 }
 
 std::size_t Vectorizer::memory_bytes() const {
-  return graph_.memory_bytes() + crossings_.memory_bytes() + components_.memory_bytes() +
-         cells_.memory_bytes() + held_bytes(thin_) + contours_.memory_bytes() + arcs_.memory_bytes() +
+  return border_.memory_bytes() + graph_.memory_bytes() + crossings_.memory_bytes() + components_.memory_bytes() +
+         cells_.memory_bytes() + held_bytes(marks_) + contours_.memory_bytes() + arcs_.memory_bytes() +
          table_.memory_bytes() + edges_.memory_bytes() + shading_.memory_bytes() + map_.memory_bytes();
 }
 

@@ -7,6 +7,7 @@
 
 #include "libdepixel/core/options.hpp"
 #include "libdepixel/stages/arcs.hpp"
+#include "libdepixel/stages/border.hpp"
 #include "libdepixel/stages/cell_graph.hpp"
 #include "libdepixel/stages/components.hpp"
 #include "libdepixel/stages/contours.hpp"
@@ -59,7 +60,7 @@ class Vectorizer {
   /// \return the planar map, valid until the next call. It does not depend on the number of threads.
   const PlanarMap& vectorize(const FrameView& frame, const Options& options);
   /// Runs all stages but the last: the map by edge is all that a rasteriser needs.
-  void vectorize_by_edge(const FrameView& frame, const Options& options);
+  void vectorize_by_edge(const FrameView& shown, const Options& options);
 
   const SimilarityGraph& graph() const { return graph_; }  ///< resolved
   const Components& components() const { return components_; }
@@ -78,11 +79,12 @@ class Vectorizer {
   std::size_t memory_bytes() const;
 
   Workers workers_;
+  Border border_;
   SimilarityGraph graph_;
   CrossingScratch crossings_;
   Components components_;  ///< filled only when merging or connecting lines
   CellGraph cells_;
-  std::vector<std::uint8_t> thin_;
+  std::vector<std::uint8_t> marks_;
   Contours contours_;
   Arcs arcs_;
   SplineTable table_;

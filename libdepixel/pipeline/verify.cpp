@@ -158,16 +158,18 @@ class CentreCheck {
   }
 
   void compare() {
-    report_.pixels = width() * height();
-    for (int y = 0; y < height(); ++y) {
+    const Lattice& lattice = graph_.lattice;
+    const int margin = lattice.margin();
+    report_.pixels = lattice.shown_width() * lattice.shown_height();
+    for (int y = margin; y < height() - margin; ++y) {
       glm::ivec4 shown(0);
-      for (int x = 0; x < width(); ++x) {
+      for (int x = 0; x < width() - margin; ++x) {
         shown += changes_[std::size_t(y) * width() + x];
-        const Rgba own = normalized(graph_.pixels[graph_.lattice.pixel(x, y)]);
-        if (shown == glm::ivec4(own.r, own.g, own.b, own.a)) continue;
+        const Rgba own = normalized(graph_.pixels[lattice.pixel(x, y)]);
+        if (x < margin || shown == glm::ivec4(own.r, own.g, own.b, own.a)) continue;
         if (report_.lost++ == 0) {
-          report_.first_lost_x = x;
-          report_.first_lost_y = y;
+          report_.first_lost_x = x - margin;
+          report_.first_lost_y = y - margin;
         }
       }
     }

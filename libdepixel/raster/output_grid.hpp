@@ -50,8 +50,8 @@ class ToOutput {
 /// A view of a frame on a target: where the source's points come to lie, in output subpixels.
 struct OutputGrid {
   OutputGrid(const View& view, const Lattice& source, const PictureView& out)
-      : x(view.scale_x, view.origin_x),
-        y(view.scale_y, view.origin_y),
+      : x(view.scale_x, view.from_margin(source).origin_x),
+        y(view.scale_y, view.from_margin(source).origin_y),
         scale(view.scale_x, view.scale_y),
         lattice(source),
         target(out) {}

@@ -24,10 +24,10 @@ ArcKind kind_of(const Contour& contour, SplineKind kind, Smoothing smoothing) {
 
 class ArcCutter {
  public:
-  ArcCutter(const CellGraph& cells, const Contours& contours, const std::vector<std::uint8_t>* thin,
+  ArcCutter(const CellGraph& cells, const Contours& contours, const std::vector<std::uint8_t>* marks,
             Arcs& arcs)
       : codes_(cells.corners.data()),
-        thin_(thin == nullptr ? nullptr : thin->data()),
+        marks_(marks == nullptr ? nullptr : marks->data()),
         contours_(contours),
         arcs_(arcs),
         left_(cells.lattice.left_offsets()) {
@@ -86,7 +86,7 @@ class ArcCutter {
 
   bool is_cut(const std::uint8_t* continues, int k) const {
     if (codes_[corner_[k]].is_junction_of_four()) return true;
-    if (thin_ == nullptr) return false;
+    if (marks_ == nullptr) return false;
     bool has_arms = true;
     for (int arm = 1; arm < kCornerArm; ++arm) has_arms &= continues[k - arm] != 0 && continues[k + arm] != 0;
     return has_arms;
@@ -94,17 +94,16 @@ class ArcCutter {
 
   int wrapped(int k) const { return k < 0 ? k + nodes_ : k >= nodes_ ? k - nodes_ : k; }
 
-  int thin_sides(int corner, int heading) const {
-    if (thin_ == nullptr) return 0;
-    return thin_[corner + left_[heading]] | thin_[corner + left_[(heading + 1) & 3]] << 1;
+  ShapeWord word(CornerCode code, int corner, Direction heading) const {
+    if (marks_ == nullptr) return {code, heading, 0, 0};
+    return {code, heading, marks_[corner + left_[heading]], marks_[corner + left_[(heading + 1) & 3]]};
   }
 
   void put(int k, bool is_end) {
     const int corner = corner_[k];
     const auto heading = static_cast<Direction>(heading_[k]);
     arcs_.corner[next_] = corner;
-    arcs_.word[next_++] =
-        ShapeWord(is_end ? CornerCode{} : codes_[corner], heading, thin_sides(corner, heading));
+    arcs_.word[next_++] = word(is_end ? CornerCode{} : codes_[corner], corner, heading);
   }
 
   void make_room(int nodes) {
@@ -127,7 +126,7 @@ class ArcCutter {
     for (const int end = std::min(to, nodes_); k < end; ++k) put(k, false);
     for (; k < to; ++k) put(k - nodes_, false);
     arcs_.corner[next_] = corner_[wrapped(to)];
-    arcs_.word[next_] = ShapeWord(CornerCode{}, arcs_.word[next_ - 1].heading(), 0);
+    arcs_.word[next_] = ShapeWord(CornerCode{}, arcs_.word[next_ - 1].heading(), 0, 0);
     ++next_;
     arcs_.list.push_back({first, next_ - first, kind_});
   }
@@ -140,7 +139,7 @@ class ArcCutter {
   }
 
   const CornerCode* codes_;
-  const std::uint8_t* thin_;  ///< none where right angles are not cut
+  const std::uint8_t* marks_;  ///< none where right angles are not cut
   const Contours& contours_;
   Arcs& arcs_;
   std::array<int, 4> left_;
@@ -153,9 +152,9 @@ class ArcCutter {
 
 }  // namespace
 
-void cut_arcs(const CellGraph& cells, const Contours& contours, const std::vector<std::uint8_t>& thin,
+void cut_arcs(const CellGraph& cells, const Contours& contours, const std::vector<std::uint8_t>& marks,
               SplineKind kind, Smoothing smoothing, Arcs& arcs) {
-  ArcCutter cutter(cells, contours, smoothing == Smoothing::energy ? &thin : nullptr, arcs);
+  ArcCutter cutter(cells, contours, smoothing == Smoothing::energy ? &marks : nullptr, arcs);
   for (const Contour& contour : contours.list) cutter.cut(contour, kind_of(contour, kind, smoothing));
 }
 

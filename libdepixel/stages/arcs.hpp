@@ -7,31 +7,35 @@
 #include "libdepixel/core/memory.hpp"
 #include "libdepixel/core/options.hpp"
 #include "libdepixel/stages/contours.hpp"
+#include "libdepixel/stages/pixel_marks.hpp"
 
 namespace depixel {
 
 /// What an arc's spline depends on at one of its nodes: the corner's code, the heading of the step that
-/// leaves the node (at the end of an open arc: that arrives), and on which sides of that step the pixel is
-/// thin.
+/// leaves the node (at the end of an open arc: that arrives), on which sides of that step the pixel is thin,
+/// and whether one of the two is text's.
 class ShapeWord {
  public:
   constexpr ShapeWord() = default;
-  constexpr ShapeWord(CornerCode code, Direction heading, int thin_sides)
-      : bits_(static_cast<std::uint16_t>(code.bits() | heading << kHeadingShift | thin_sides << kThinShift)) {
-  }
+  /// \param left, right  marks of the pixels on the step's sides; see PixelMarks.
+  constexpr ShapeWord(CornerCode code, Direction heading, int left, int right)
+      : bits_(static_cast<std::uint16_t>(
+            code.bits() | heading << kHeadingShift | (left & kThinLine) << kThinShift |
+            (right & kThinLine) << (kThinShift + 1) | ((left | right) & kText) << (kTextShift - 1))) {}
 
   constexpr CornerCode code() const { return CornerCode(static_cast<std::uint8_t>(bits_ & 127)); }
   constexpr Direction heading() const { return static_cast<Direction>(bits_ >> kHeadingShift & 3); }
   /// 1 where the pixel on the left is thin, plus 2 for the right.
-  constexpr int thin_sides() const { return bits_ >> kThinShift; }
+  constexpr int thin_sides() const { return bits_ >> kThinShift & 3; }
+  constexpr bool is_text() const { return (bits_ >> kTextShift & 1) != 0; }
 
-  static constexpr int kBits = 11;
+  static constexpr int kBits = 12;
   constexpr std::uint16_t bits() const { return bits_; }
 
   friend constexpr bool operator==(ShapeWord, ShapeWord) = default;
 
  private:
-  static constexpr int kHeadingShift = 7, kThinShift = 9;
+  static constexpr int kHeadingShift = 7, kThinShift = 9, kTextShift = 11;
   std::uint16_t bits_ = 0;
 };
 static_assert(sizeof(ShapeWord) == 2);
@@ -75,7 +79,7 @@ struct Arcs {
 /// of them lie on their lattice corner. \param thin  by find_thin_pixels(); read with Smoothing::energy only.
 /// \param arcs  overwritten; its buffers are reused.
 /// Cost: linear in nodes. Source: Schapfel, section 4.7 (figure 57).
-void cut_arcs(const CellGraph& cells, const Contours& contours, const std::vector<std::uint8_t>& thin,
+void cut_arcs(const CellGraph& cells, const Contours& contours, const std::vector<std::uint8_t>& marks,
               SplineKind kind, Smoothing smoothing, Arcs& arcs);
 
 }  // namespace depixel

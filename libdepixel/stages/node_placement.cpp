@@ -44,23 +44,6 @@ constexpr auto kRest = [] {
 
 }  // namespace
 
-void find_thin_pixels(const SimilarityGraph& graph, int y, int from, int to,
-                      std::vector<std::uint8_t>& thin) {
-  find_neighbours(graph, y, from, to, thin);
-  std::uint8_t* row = thin.data() + graph.lattice.pixel(0, y);
-  for (int x = from; x < to; x += sizeof(Byte16)) {  // may write into the padding
-    const auto links = load_vector<Byte16>(row + x);
-    const Byte16 but_one = links & (links - 1), but_two = but_one & (but_one - 1);
-    const Byte16 triangles = links & ((links << 1) | (links >> 7));
-    store_vector(row + x, reinterpret_cast<Byte16>((but_two | triangles) == 0) & 1);
-  }
-}
-
-void find_thin_pixels(const SimilarityGraph& graph, std::vector<std::uint8_t>& thin) {
-  thin.resize(graph.lattice.size() + sizeof(Byte16));
-  for (int y = 0; y < graph.lattice.height(); ++y) find_thin_pixels(graph, y, 0, graph.lattice.width(), thin);
-}
-
 void NodePlacer::add(std::span<const ShapeWord> words, ArcKind kind, Smoothing smoothing, int source,
                      ArcBatch& batch) {
   batch_ = &batch;
@@ -76,6 +59,7 @@ void NodePlacer::add(std::span<const ShapeWord> words, ArcKind kind, Smoothing s
   if (has_thin_sides_) hold_square_ends();
   straighten_stairs();
   if (has_thin_sides_) widen_thin_lines();
+  hold_text(words);
 }
 
 /// Open arcs must stay where they end; all else may move.
@@ -258,6 +242,21 @@ void NodePlacer::widen_thin_lines() {
         batch_->rest_y[i] += away.y * by;
       }
     }
+  }
+}
+
+/// A node is text's where the step to it or from it runs along such.
+void NodePlacer::hold_text(std::span<const ShapeWord> words) {
+  bool is_before = member_.closed && words.back().is_text();
+  for (int k = 0; k < member_.count; ++k) {
+    const bool is_after = words[k].is_text();
+    const int i = member_.first + k;
+    if ((is_before || is_after) && batch_->role[i] == NodeRole::free) {
+      batch_->set_role(i, NodeRole::held);
+      batch_->x[i] = batch_->rest_x[i];
+      batch_->y[i] = batch_->rest_y[i];
+    }
+    is_before = is_after;
   }
 }
 

@@ -9,20 +9,13 @@
 
 namespace depixel {
 
-/// Marks the pixels of one-pixel-wide lines: valence of at most 2 in the resolved graph, the two links not
-/// part of a triangle. `thin` is padded, and a little longer; 1 where a pixel is thin; entries of the padding
-/// mean nothing.
-void find_thin_pixels(const SimilarityGraph& graph, std::vector<std::uint8_t>& thin);
-/// Just a part of row y, from .. to - 1, and maybe up to fifteen entries more. A pixel's entry depends on the
-/// links of the four blocks round it. \param thin  has its size.
-void find_thin_pixels(const SimilarityGraph& graph, int y, int from, int to, std::vector<std::uint8_t>& thin);
-
 /// Decides for every node of an arc where it starts, where it would rest and what role it plays, from the
 /// runs of equal steps that the arc is made of.
 ///
 /// - The square end of a one-pixel-wide line is held, so that the line keeps its length.
 /// - Slanted one-pixel-wide lines are widened to a width of one pixel (the cell graph makes 45 degrees 0.71
 /// wide).
+/// - Nodes of small text are held where the cell graph has them.
 /// - A staircase of single steps starts as the line through the middles of its steps, a bulge as a parabola:
 /// the low
 ///   frequencies, which sweeps over neighbours would take long to reach.
@@ -51,6 +44,7 @@ class NodePlacer {
   void straighten_stairs();
   void straighten_stair(int run);
   void widen_thin_lines();
+  void hold_text(std::span<const ShapeWord> words);
 
   int entry(int node) const { return member_.first + (node >= member_.count ? node - member_.count : node); }
   /// The run `offset` runs on, or nullptr beyond the end of an open arc.

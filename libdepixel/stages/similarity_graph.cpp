@@ -156,7 +156,7 @@ namespace {
 
 void load_frame(const FrameView& frame, SimilarityGraph& graph) {
   assert(frame.width > 0 && frame.height > 0);
-  graph.resize(Lattice(frame.width, frame.height));
+  graph.resize(Lattice(frame.width, frame.height, frame.margin));
   for (int y = 0; y < frame.height; ++y) take_pixels(frame, y, 0, frame.width, graph);
 }
 

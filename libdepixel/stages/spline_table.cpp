@@ -13,7 +13,7 @@ constexpr std::uint64_t kMultiplier = 0x9e3779b97f4a7c15, kIsHash = std::uint64_
 
 /// What a shape is looked up by. Of up to four nodes, all of it; else a hash, with the uppermost bit set.
 std::uint64_t key_of(std::span<const ShapeWord> words, ArcKind kind) {
-  static_assert(ShapeWord::kBits == 11);
+  static_assert(ShapeWord::kBits == 12);
   const std::uint64_t kind_bits =
       std::uint64_t{kind.rounds} << 2 | (kind.closed ? 2U : 0U) | (kind.interpolated ? 1U : 0U);
   constexpr std::size_t kAtOnce = sizeof(std::uint64_t) / sizeof(ShapeWord);

@@ -226,6 +226,7 @@ void SvgDocument::add_shape(Rgba colour, std::string_view path_data) {
 
 std::string SvgDocument::finish() const {
   const std::string width = std::to_string(width_), height = std::to_string(height_);
+  const std::string margin = std::to_string(margin_), origin = " x=\"" + margin + "\" y=\"" + margin + "\"";
   std::string size(" width=\"");
   size.append(width).append("\" height=\"").append(height).append("\"");
   const bool masked = !opaque_.empty() && !beside_data_.empty();
@@ -234,14 +235,26 @@ std::string SvgDocument::finish() const {
               overlay_.size() + 1024);
   svg.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"");
   svg.append(" xmlns:xlink=\"http://www.w3.org/1999/xlink\"").append(size);
-  svg.append(" viewBox=\"0 0 ").append(width).append(" ").append(height).append("\">\n");
+  svg.append(" viewBox=\"")
+      .append(margin)
+      .append(" ")
+      .append(margin)
+      .append(" ")
+      .append(width)
+      .append(" ")
+      .append(height)
+      .append("\">\n");
   svg.append("<defs>\n<g id=\"shapes\" fill-rule=\"evenodd\">\n");
   append_shapes(svg, opaque_, data_);
   svg.append("</g>\n");
   constexpr std::string_view kCrisp = " shape-rendering=\"crispEdges\"";
   if (masked) {  // its stroke takes away pixels that the silhouette crosses, at scales up to 8
-    svg.append("<mask id=\"inside\" maskUnits=\"userSpaceOnUse\" x=\"0\" y=\"0\"").append(size);
-    svg.append(">\n<rect").append(size).append(" fill=\"#fff\"/>\n<path").append(kCrisp);
+    svg.append("<mask id=\"inside\" maskUnits=\"userSpaceOnUse\"").append(origin).append(size);
+    svg.append(">\n<rect")
+        .append(margin_ > 0 ? origin : "")
+        .append(size)
+        .append(" fill=\"#fff\"/>\n<path")
+        .append(kCrisp);
     svg.append(" stroke=\"#000\" stroke-width=\".06\" stroke-linejoin=\"round\" d=\"");
     svg.append(beside_data_).append("\"/>\n</mask>\n");
   }

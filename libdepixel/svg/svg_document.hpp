@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libdepixel/core/color.hpp"
+#include "libdepixel/core/lattice.hpp"
 #include "libdepixel/svg/svg_grid.hpp"
 
 namespace depixel {
@@ -83,7 +84,9 @@ struct SvgShape {
 /// their coverage. Translucent shapes are drawn once.
 class SvgDocument {
  public:
-  SvgDocument(int width_px, int height_px) : width_(width_px), height_(height_px) {}
+  /// Of what a lattice shows; its margin lies outside of the document.
+  explicit SvgDocument(const Lattice& lattice)
+      : width_(lattice.shown_width()), height_(lattice.shown_height()), margin_(lattice.margin()) {}
 
   /// A shape, by its path data. Shapes that meet turn the same way round, holes the other way.
   void add_shape(Rgba colour, std::string_view path_data);
@@ -93,7 +96,7 @@ class SvgDocument {
   std::string finish() const;
 
  private:
-  int width_, height_;
+  int width_, height_, margin_;
   std::vector<SvgShape> opaque_, translucent_;
   std::string data_;         ///< the shapes' path data, one after the other
   std::string beside_data_;  ///< path data of all that is not opaque

@@ -87,7 +87,7 @@ void append_components(const PlanarMap& map, const SimilarityGraph& graph, doubl
 }
 
 std::string write_svg(const PlanarMap& map, const SimilarityGraph& graph, double tolerance_px) {
-  SvgDocument document(map.lattice.width(), map.lattice.height());
+  SvgDocument document(map.lattice);
   append_components(map, graph, tolerance_px, document);
   return document.finish();
 }

@@ -175,7 +175,7 @@ void paint_stage(const StageDrawing& drawing, const View& view, const PictureVie
   if (target.width <= 0 || target.height <= 0) return;
   CpuRaster raster;
   raster.draw(drawing.fill, view, drawing.linear_light, 1, target);
-  Painter painter(view, target);
+  Painter painter(view.from_margin(drawing.fill.lattice), target);
   painter.paint(std::span<const Stroke>(drawing.strokes));
   painter.paint(std::span<const Circle>(drawing.circles));
 }

@@ -68,7 +68,7 @@ void append_circle(const Circle& circle, std::string& out) {
 
 std::string write_stage_svg(const StageDrawing& drawing) {
   const Lattice& lattice = drawing.fill.lattice;
-  SvgDocument document(lattice.width(), lattice.height());
+  SvgDocument document(lattice);
   if (drawing.cells) {
     append_cells(drawing, document);
   } else {

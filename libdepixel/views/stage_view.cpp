@@ -120,7 +120,8 @@ class Drawer {
   /// The graph as it is before freezing. Links in a row are one stroke.
   void draw_links(const FrameView& frame, const Options& options) {
     SimilarityGraph& graph = drawing_.graph;
-    build_raw_similarity_graph(frame, options.similarity, graph);
+    Border border;
+    build_raw_similarity_graph(border.continued(frame, options.border), options.similarity, graph);
     const Lattice& lattice = graph.lattice;
     const int stride = lattice.stride();
     struct LinkKind {
