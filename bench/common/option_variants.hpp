@@ -33,6 +33,8 @@ inline constexpr std::array kOptionVariants{
                   }},
     OptionVariant{"soft contours 20", [](Options& o) { o.soft_contours = 20; }},
     OptionVariant{"continuity", [](Options& o) { o.curve_rule = CurveRule::continuity; }},
+    OptionVariant{"border mirror", [](Options& o) { o.border = BorderKind::mirror; }},
+    OptionVariant{"text-safe", [](Options& o) { o.text_safe = true; }},
     OptionVariant{"connect lines", [](Options& o) { o.connect_lines = true; }},
     OptionVariant{"linear light", [](Options& o) { o.linear_light = true; }},
     OptionVariant{"no votes", [](Options& o) { o.curve_weight = o.sparse_weight = o.island_weight = 0; }}};

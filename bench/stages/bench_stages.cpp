@@ -53,12 +53,12 @@ void contours(benchmark::State& state, const Subject& subject) {
 }
 
 void arcs(benchmark::State& state, const Subject& subject) {
-  std::vector<std::uint8_t> thin;
-  find_thin_pixels(subject.done.graph(), thin);
+  std::vector<PixelMarks> marks;
+  find_pixel_marks(subject.done.graph(), false, marks);
   Arcs cut;
   const Vectorizer& done = subject.done;
   while (state.KeepRunning()) {
-    cut_arcs(done.cells(), done.contours(), thin, kOptions.spline, kOptions.smoothing, cut);
+    cut_arcs(done.cells(), done.contours(), marks, kOptions.spline, kOptions.smoothing, cut);
   }
 }
 

@@ -69,7 +69,8 @@ TEST_P(GlFilterOn, DrawsRandomViewsOfRandomPicturesAsTheProcessorDoes) {
   const GlContext context(GetParam());
   const auto gl = gl_filter(context), cpu = FrameFilter::cpu();
   EXPECT_TRUE(rc::check([&](const Picture& picture) {
-    const Options options = *random_options();
+    Options options = *random_options();
+    options.border = *random_border();
     for (const auto& filter : {gl.get(), cpu.get()})
       RC_ASSERT(filter->submit(picture.view(), options).has_value());
     const auto scale = [] { return *rc::gen::inRange(1, 160) / 8.0; };
@@ -79,6 +80,30 @@ TEST_P(GlFilterOn, DrawsRandomViewsOfRandomPicturesAsTheProcessorDoes) {
         mismatch(*gl, *cpu, view, 61, 47, options.linear_light ? kLightTolerance : kTolerance);
     if (!found.empty()) RC_FAIL(found);
   }));
+}
+
+TEST_P(GlFilterOn, ShowsNothingBeyondABorderThatContinues) {
+  constexpr View kView{3.5, 4, -2, -1.6};  // output pixels 7 to 21 and 6.4 to 18.4
+  const GlContext context(GetParam());
+  const auto gl = gl_filter(context), cpu = FrameFilter::cpu();
+  const Picture picture = ascii_picture({"#..#", ".rr.", ".#.#"});
+  for (const auto& filter : {gl.get(), cpu.get()}) {
+    ASSERT_TRUE(filter->submit(picture.view(), {.border = BorderKind::repeat}));
+    Picture out(30, 24, {9, 9, 9, 9});
+    ASSERT_TRUE(filter->draw(out.target(), {0, 0, out.width, out.height}, kView));
+    for (int y = 0; y < out.height; ++y) {
+      for (int x = 0; x < out.width; ++x) {
+        const bool is_inside = x >= 7 && x < 21 && y >= 6 && y < 18;
+        EXPECT_EQ(out.at(x, y).a, is_inside ? 255 : 0) << x << ' ' << y;
+      }
+    }
+  }
+  const TestFramebuffer framebuffer(context.gl, 40, 30);
+  framebuffer.clear(0, 0, 1, 1);
+  ASSERT_TRUE(gl->draw(GlFramebuffer{framebuffer.name()}, {5, 3, 30, 24}, kView));
+  Picture expected(40, 30, {0, 0, 255, 255});
+  ASSERT_TRUE(cpu->draw(expected.target(), {5, 3, 30, 24}, kView));
+  EXPECT_LE(compare(premultiplied(expected), premultiplied(framebuffer.read())).largest, kTolerance);
 }
 
 TEST_P(GlFilterOn, DrawsToAPartOfAFramebuffer) {

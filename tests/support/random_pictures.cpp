@@ -125,11 +125,16 @@ rc::Gen<Options> random_options() {
                                  rc::gen::set(&Options::connect_lines, rc::gen::arbitrary<bool>()),
                                  rc::gen::set(&Options::spline, random_enum<SplineKind>(3)),
                                  rc::gen::set(&Options::smoothing, random_enum<Smoothing>(3)),
+                                 rc::gen::set(&Options::text_safe, rc::gen::arbitrary<bool>()),
                                  rc::gen::set(&Options::shading, random_enum<ShadingKind>(3)),
                                  rc::gen::set(&Options::soft_contours, rc::gen::element(0.0, 0.0, 30.0)),
                                  rc::gen::set(&Options::curve_rule, random_enum<CurveRule>(2)),
                                  rc::gen::set(&Options::linear_light, rc::gen::arbitrary<bool>()),
                                  rc::gen::set(&Options::threads, rc::gen::element(1, 2, 3, 4)));
+}
+
+rc::Gen<BorderKind> random_border() {
+  return random_enum<BorderKind>(3);
 }
 
 }  // namespace test

@@ -27,6 +27,7 @@ rc::Gen<Options> random_lossless_options();
 
 /// Any options at all, threads included.
 rc::Gen<Options> random_options();
+rc::Gen<BorderKind> random_border();
 
 }  // namespace test
 }  // namespace depixel

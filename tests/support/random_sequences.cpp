@@ -179,7 +179,13 @@ rc::Gen<int> random_size(int max_size) {
 }
 
 rc::Gen<Options> likely_options() {
-  return rc::gen::weightedOneOf<Options>({{3, random_lossless_options()}, {1, random_options()}});
+  return rc::gen::apply(
+      [](Options options, BorderKind border) {
+        options.border = border;
+        return options;
+      },
+      rc::gen::weightedOneOf<Options>({{3, random_lossless_options()}, {1, random_options()}}),
+      rc::gen::weightedOneOf<BorderKind>({{3, rc::gen::just(BorderKind::fixed)}, {1, random_border()}}));
 }
 
 rc::Gen<Picture> random_background(int max_width, int max_height) {
@@ -253,12 +259,15 @@ void print(std::ostream& out, const Options& options) {
   constexpr std::array<std::string_view, 3> kSplines{"adaptive", "approximate", "interpolate"};
   constexpr std::array<std::string_view, 3> kSmoothings{"energy", "average", "none"};
   constexpr std::array<std::string_view, 3> kShadings{"none", "gradient", "blur"};
+  constexpr std::array<std::string_view, 3> kBorders{"fixed", "repeat", "mirror"};
   out << "{.similarity = Similarity::" << kSimilarities[static_cast<int>(options.similarity)]
       << ", .connect_lines = " << name_of(options.connect_lines)
       << ", .spline = SplineKind::" << kSplines[static_cast<int>(options.spline)]
       << ", .smoothing = Smoothing::" << kSmoothings[static_cast<int>(options.smoothing)]
       << ", .curve_rule = CurveRule::"
       << (options.curve_rule == CurveRule::valence ? "valence" : "continuity")
+      << ", .border = BorderKind::" << kBorders[static_cast<int>(options.border)]
+      << ", .text_safe = " << name_of(options.text_safe)
       << ", .shading = ShadingKind::" << kShadings[static_cast<int>(options.shading)]
       << ", .soft_contours = " << options.soft_contours
       << ", .linear_light = " << name_of(options.linear_light) << ", .threads = " << options.threads << '}';

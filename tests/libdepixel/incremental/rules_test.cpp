@@ -76,11 +76,28 @@ std::vector<RuleCase> rule_cases() {
                       "4.4.4#4.4.4.4.4.4"}),
        ascii_picture({".4.4.4.4.4.4.4.4.",  //
                       "4.4.4#..4.4.4.4.4"})},
-      {"thin_by_links",
+      {"marks_by_links",
        ascii_picture({".4",  //
                       "55"}),
        ascii_picture({".5",  //
                       "55"})},
+      // A round letter beside a pixel that changes.
+      {"text_by_marks",
+       ascii_picture({".......",  //
+                      "..####.",  //
+                      ".#.....",  //
+                      ".#.....",  //
+                      ".#.....",  //
+                      "..####.",  //
+                      "......."}),
+       ascii_picture({"4......",  //
+                      "..####.",  //
+                      ".#.....",  //
+                      ".#.....",  //
+                      ".#.....",  //
+                      "..####.",  //
+                      "......."}),
+       {.text_safe = true}},
       {"edges_by_codes",  //
        ascii_picture({"R4"}), ascii_picture({"44"})},
       {"curves_by_codes",
@@ -90,7 +107,7 @@ std::vector<RuleCase> rule_cases() {
                       "__#"})},
       // The slanted line grows a thick end, so its pixels are thin no more; farther along it, no code
       // differs.
-      {"curves_by_thin",
+      {"curves_by_marks",
        ascii_picture({"4..",  //
                       "b44",  //
                       "..5"}),

@@ -155,8 +155,8 @@ RC_GTEST_PROP(Arcs, EndsHaveNoCodeAndWhatIsBetweenHas, (const Picture& picture))
   const Options options = *random_options();
   Vectorizer v;
   v.vectorize(picture.view(), options);
-  std::vector<std::uint8_t> thin;
-  find_thin_pixels(v.graph(), thin);
+  std::vector<PixelMarks> marks;
+  find_pixel_marks(v.graph(), options.text_safe, marks);
   const std::array<int, 4> left = v.cells().lattice.left_offsets();
   for (const Arc& arc : v.arcs().list) {
     const std::span<const ShapeWord> words = v.arcs().words(arc);
@@ -165,13 +165,17 @@ RC_GTEST_PROP(Arcs, EndsHaveNoCodeAndWhatIsBetweenHas, (const Picture& picture))
       const bool is_end = !arc.kind.closed && (k == 0 || k == arc.count - 1);
       RC_ASSERT(words[k].code().bits() == (is_end ? 0 : v.cells().corners[corner].bits()));
       if (k == arc.step_count()) continue;  // where an open arc ends, no step leaves
-      const int sides =
-          thin[corner + left[words[k].heading()]] + 2 * thin[corner + left[turned(words[k].heading(), 1)]];
-      RC_ASSERT(words[k].thin_sides() == (options.smoothing == Smoothing::energy ? sides : 0));
+      const bool is_marked = options.smoothing == Smoothing::energy;
+      const PixelMarks on_left = marks[corner + left[words[k].heading()]];
+      const PixelMarks on_right = marks[corner + left[turned(words[k].heading(), 1)]];
+      const int thin_sides = ((on_left & kThinLine) != 0 ? 1 : 0) + ((on_right & kThinLine) != 0 ? 2 : 0);
+      RC_ASSERT(words[k].thin_sides() == (is_marked ? thin_sides : 0));
+      RC_ASSERT(words[k].is_text() == (is_marked && ((on_left | on_right) & kText) != 0));
     }
     if (!arc.kind.closed) {
       RC_ASSERT(words.back().heading() == words[words.size() - 2].heading());
       RC_ASSERT(words.back().thin_sides() == 0);
+      RC_ASSERT(!words.back().is_text());
     }
     RC_ASSERT(arc.kind.interpolated || options.spline != SplineKind::interpolate);
     RC_ASSERT(!arc.kind.interpolated || options.spline != SplineKind::approximate);

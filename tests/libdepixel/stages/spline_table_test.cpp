@@ -54,7 +54,8 @@ RC_GTEST_PROP(SplineTable, EqualShapesHaveEqualPlacesAndOthersTheirOwn, (const P
   for (const Arc& arc : arcs.list) {
     std::vector<int> words;
     for (const ShapeWord w : arcs.words(arc)) {
-      words.push_back(w.code().bits() | w.heading() << 8 | w.thin_sides() << 12);
+      words.push_back(w.code().bits() | w.heading() << 8 | w.thin_sides() << 12 |
+                      (w.is_text() ? 1 << 14 : 0));
     }
     const Shape shape{words, arc.kind.closed, arc.kind.interpolated, arc.kind.rounds};
     const auto [entry, is_new] = known.emplace(shape, next);
@@ -151,7 +152,8 @@ TEST(SplineTable, KnowsManyShapes) {
   std::vector<std::vector<ShapeWord>> shapes;
   for (int i = 0; i < 5000; ++i) {
     std::vector<ShapeWord> words(13);
-    for (int bit = 0; bit < 13; ++bit) words[bit] = ShapeWord(CornerCode{}, i >> bit & 1 ? kEast : kSouth, 0);
+    for (int bit = 0; bit < 13; ++bit)
+      words[bit] = ShapeWord(CornerCode{}, i >> bit & 1 ? kEast : kSouth, 0, 0);
     shapes.push_back(words);
   }
   std::vector<int> numbers(shapes.size());
