@@ -9,6 +9,7 @@ namespace depixel {
 enum class Similarity { exact, merge };
 enum class SplineKind { adaptive, approximate, interpolate };
 enum class Smoothing { energy, average, none };
+enum class DitherKind { keep, blend };
 enum class ShadingKind { none, gradient, blur };
 enum class CurveRule { valence, continuity };
 
@@ -16,6 +17,7 @@ enum class CurveRule { valence, continuity };
 struct Options {
   Similarity similarity = Similarity::exact;
   bool connect_lines = false;
+  DitherKind dither = DitherKind::keep;
   SplineKind spline = SplineKind::interpolate;
   Smoothing smoothing = Smoothing::energy;
   CurveRule curve_rule = CurveRule::valence;

@@ -7,8 +7,8 @@
 namespace depixel {
 
 /// What a change of the frame makes stale, rule by rule; all that follows from pixels and is kept from frame
-/// to frame is named here, with what it was computed from. IncrementalGraph and IncrementalVectorizer have a
-/// function for each rule.
+/// to frame is named here, with what it was computed from. DitherUpdater, IncrementalGraph and
+/// IncrementalVectorizer have a function for each rule.
 ///
 /// Blocks of 8x8 pixels move, each by the move that explains it best, and all that is known with them. A seam
 /// is where two blocks meet that did not move alike, or a block that moved and the frame's border: what is
@@ -18,6 +18,8 @@ namespace depixel {
 /// colours are computed anew then, and compared with those before; the rules from `thin_by_links` on are the
 /// same.
 enum class Rule : std::uint8_t {
+  dithers_by_pixels,     ///< how a row's dithers are blended: its pixels
+  dithers_by_areas,      ///< how a row's dithers are blended: which of its pixels are parts of areas
   links_by_pixels,       ///< a block's links before crossings are resolved: its four pixels
   links_by_seams,        ///< these, where it was not those pixels that were side by side
   crossings_by_windows,  ///< what is cut at a crossing: links in the 8x8 window round it
@@ -38,12 +40,13 @@ enum class Rule : std::uint8_t {
   tiles_by_seams,         ///< what a tile shows: curves and colours from beyond a seam
   tiles_by_shading        ///< what a tile shows: how colours run in the four blocks round its pixel
 };
-inline constexpr std::array<std::string_view, 19> kRuleNames{
-    "links_by_pixels",        "links_by_seams",     "crossings_by_windows", "crossings_by_curves",
-    "crossings_by_junctions", "crossings_by_seams", "codes_by_pixels",      "codes_by_crossings",
-    "thin_by_links",          "edges_by_codes",     "curves_by_codes",      "curves_by_thin",
-    "curves_by_seams",        "joints_by_curves",   "tiles_by_curves",      "tiles_by_colours",
-    "tiles_by_side_colours",  "tiles_by_seams",     "tiles_by_shading"};
+inline constexpr std::array<std::string_view, 21> kRuleNames{
+    "dithers_by_pixels",    "dithers_by_areas",    "links_by_pixels",        "links_by_seams",
+    "crossings_by_windows", "crossings_by_curves", "crossings_by_junctions", "crossings_by_seams",
+    "codes_by_pixels",      "codes_by_crossings",  "thin_by_links",          "edges_by_codes",
+    "curves_by_codes",      "curves_by_thin",      "curves_by_seams",        "joints_by_curves",
+    "tiles_by_curves",      "tiles_by_colours",    "tiles_by_side_colours",  "tiles_by_seams",
+    "tiles_by_shading"};
 
 /// The rules that are obeyed. All of them, but in tests that show what goes wrong without one.
 class RuleSet {

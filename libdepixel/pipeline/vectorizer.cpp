@@ -19,7 +19,9 @@ void Vectorizer::vectorize_by_edge(const FrameView& frame, const Options& option
   workers_.set_threads(options.threads);
   StageClock clock(stats_);
 
-  build_similarity_graph(frame, options.similarity, options.connect_lines, graph_);
+  const bool blends = options.dither == DitherKind::blend;
+  if (blends) blend_dithers(frame, options.linear_light, dithers_);
+  build_similarity_graph(blends ? dithers_.view() : frame, options.similarity, options.connect_lines, graph_);
   clock.finish(0);
 
   const CrossingVotes votes = CrossingVotes::of(options);
@@ -72,9 +74,10 @@ void Vectorizer::fit(const Options& options) {
 }
 
 std::size_t Vectorizer::memory_bytes() const {
-  return graph_.memory_bytes() + crossings_.memory_bytes() + components_.memory_bytes() +
-         cells_.memory_bytes() + held_bytes(thin_) + contours_.memory_bytes() + arcs_.memory_bytes() +
-         table_.memory_bytes() + edges_.memory_bytes() + shading_.memory_bytes() + map_.memory_bytes();
+  return dithers_.memory_bytes() + graph_.memory_bytes() + crossings_.memory_bytes() +
+         components_.memory_bytes() + cells_.memory_bytes() + held_bytes(thin_) + contours_.memory_bytes() +
+         arcs_.memory_bytes() + table_.memory_bytes() + edges_.memory_bytes() + shading_.memory_bytes() +
+         map_.memory_bytes();
 }
 
 }  // namespace depixel

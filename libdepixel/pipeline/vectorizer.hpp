@@ -11,6 +11,7 @@
 #include "libdepixel/stages/components.hpp"
 #include "libdepixel/stages/contours.hpp"
 #include "libdepixel/stages/crossings.hpp"
+#include "libdepixel/stages/dithers.hpp"
 #include "libdepixel/stages/edge_map.hpp"
 #include "libdepixel/stages/planar_map.hpp"
 #include "libdepixel/stages/similarity_graph.hpp"
@@ -61,7 +62,8 @@ class Vectorizer {
   /// Runs all stages but the last: the map by edge is all that a rasteriser needs.
   void vectorize_by_edge(const FrameView& frame, const Options& options);
 
-  const SimilarityGraph& graph() const { return graph_; }  ///< resolved
+  /// Resolved. Its pixels are the frame's, with dithers blended if asked for.
+  const SimilarityGraph& graph() const { return graph_; }
   const Components& components() const { return components_; }
   const CellGraph& cells() const { return cells_; }
   const Contours& contours() const { return contours_; }
@@ -78,6 +80,7 @@ class Vectorizer {
   std::size_t memory_bytes() const;
 
   Workers workers_;
+  Dithers dithers_;  ///< filled only when dithers are blended
   SimilarityGraph graph_;
   CrossingScratch crossings_;
   Components components_;  ///< filled only when merging or connecting lines

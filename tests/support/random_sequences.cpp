@@ -179,7 +179,12 @@ rc::Gen<int> random_size(int max_size) {
 }
 
 rc::Gen<Options> likely_options() {
-  return rc::gen::weightedOneOf<Options>({{3, random_lossless_options()}, {1, random_options()}});
+  const auto with_blended_dithers = rc::gen::map(random_lossless_options(), [](Options options) {
+    options.dither = DitherKind::blend;
+    return options;
+  });
+  return rc::gen::weightedOneOf<Options>(
+      {{2, random_lossless_options()}, {1, with_blended_dithers}, {1, random_options()}});
 }
 
 rc::Gen<Picture> random_background(int max_width, int max_height) {
@@ -250,11 +255,13 @@ std::string_view name_of(bool value) {
 
 void print(std::ostream& out, const Options& options) {
   constexpr std::array<std::string_view, 2> kSimilarities{"exact", "merge"};
+  constexpr std::array<std::string_view, 2> kDithers{"keep", "blend"};
   constexpr std::array<std::string_view, 3> kSplines{"adaptive", "approximate", "interpolate"};
   constexpr std::array<std::string_view, 3> kSmoothings{"energy", "average", "none"};
   constexpr std::array<std::string_view, 3> kShadings{"none", "gradient", "blur"};
   out << "{.similarity = Similarity::" << kSimilarities[static_cast<int>(options.similarity)]
       << ", .connect_lines = " << name_of(options.connect_lines)
+      << ", .dither = DitherKind::" << kDithers[static_cast<int>(options.dither)]
       << ", .spline = SplineKind::" << kSplines[static_cast<int>(options.spline)]
       << ", .smoothing = Smoothing::" << kSmoothings[static_cast<int>(options.smoothing)]
       << ", .curve_rule = CurveRule::"
