@@ -55,6 +55,7 @@ options davegnukem_0052 64x64+24+92 4 shading_gnukem.png "--similarity merge" "-
   "--similarity merge --shading blur" "--soft-contours 20"
 options freedoom_0039 72x64+140+86 4 shading_freedoom.png "--similarity merge" "--similarity merge --shading gradient" \
   "--similarity merge --shading blur" "--soft-contours 20"
+options alex4_0036 76x56+54+24 5 dither_alex4.png "--dither blend"
 
 # The player, with a split view.
 mkdir -p "$work/config/depixel"

@@ -24,6 +24,11 @@ struct Subject {
   Vectorizer done;
 };
 
+void dithers(benchmark::State& state, const Subject& subject) {
+  Dithers blended;
+  while (state.KeepRunning()) blend_dithers(subject.picture.view(), kOptions.linear_light, blended);
+}
+
 void similarity(benchmark::State& state, const Subject& subject) {
   SimilarityGraph graph;
   while (state.KeepRunning())
@@ -97,6 +102,7 @@ void register_frame(const std::filesystem::path& file) {
       run(state, *subject);
     })->Unit(benchmark::kMicrosecond);
   };
+  add("dithers", dithers);
   add("similarity", similarity);
   add("crossings", crossings);
   add("cells", cells);

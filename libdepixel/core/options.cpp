@@ -6,6 +6,7 @@ namespace depixel {
 namespace {
 
 constexpr std::array<std::string_view, 2> kSimilarityNames{"exact", "merge"};
+constexpr std::array<std::string_view, 2> kDitherNames{"keep", "blend"};
 constexpr std::array<std::string_view, 3> kSplineNames{"adaptive", "approximate", "interpolate"};
 constexpr std::array<std::string_view, 3> kSmoothingNames{"energy", "average", "none"};
 constexpr std::array<std::string_view, 3> kShadingNames{"none", "gradient", "blur"};
@@ -26,11 +27,13 @@ constexpr int kMaxThreads = 256;
 }  // namespace
 
 std::span<const OptionInfo> option_table() {
-  static const std::array<OptionInfo, 14> kTable{{
+  static const std::array<OptionInfo, 15> kTable{{
       {"similarity", "Pixels belong together when their colours are equal (exact) or alike (merge)",
        choice<&Options::similarity>(kSimilarityNames)},
       {"connect-lines", "Join lines of similar colour across diagonals",
        SwitchOption{&Options::connect_lines}},
+      {"dither", "Areas that are checkerboards of two colours are kept, or become the colour between (blend)",
+       choice<&Options::dither>(kDitherNames)},
       {"spline", "How splines follow the cell graph", choice<&Options::spline>(kSplineNames)},
       {"smoothing", "How staircases are removed", choice<&Options::smoothing>(kSmoothingNames)},
       {"curve-rule",

@@ -9,6 +9,7 @@ namespace depixel {
 enum class Similarity { exact, merge };
 enum class SplineKind { adaptive, approximate, interpolate };
 enum class Smoothing { energy, average, none };
+enum class DitherKind { keep, blend };
 enum class ShadingKind { none, gradient, blur };
 enum class CurveRule { valence, continuity };
 /// How a picture goes on beyond its border: not at all, by its outermost pixels, or mirrored.
@@ -18,6 +19,7 @@ enum class BorderKind { fixed, repeat, mirror };
 struct Options {
   Similarity similarity = Similarity::exact;
   bool connect_lines = false;
+  DitherKind dither = DitherKind::keep;
   SplineKind spline = SplineKind::interpolate;
   Smoothing smoothing = Smoothing::energy;
   CurveRule curve_rule = CurveRule::valence;

@@ -27,7 +27,7 @@ constexpr double kMostStale = 0.5, kFewestStale = 0.15;
 
 /// The options that vectorizing depends on; others are set to a common value.
 Options of_vectorizing(Options options) {
-  options.linear_light = false;
+  if (options.dither == DitherKind::keep) options.linear_light = false;
   options.threads = 1;
   return options;
 }
@@ -37,14 +37,14 @@ constexpr Rgba kUnknownColour{1, 1, 1, 0};
 
 }  // namespace
 
-void IncrementalVectorizer::vectorize(const FrameView& shown, const Options& options) {
+void IncrementalVectorizer::vectorize(const FrameView& input, const Options& options) {
   StageClock clock(stats_);
-  const FrameView frame = border_.continued(shown, options.border);
   workers_.set_threads(options.threads);
-  const Lattice size(frame.width, frame.height, frame.margin);
+  const Lattice size = Border::lattice_of(input, options.border);
   const bool is_known = options_ && *options_ == of_vectorizing(options) && lattice() == size &&
                         table_.places() <= place_limit_;
   options_ = of_vectorizing(options);
+  const FrameView frame = border_.continued(blended(input, options, is_known), options.border);
   stats_.changed_pixels = stats_.stale_corners = stats_.changed_tiles = stats_.moved_tiles = 0;
   stats_.crossings = stats_.contours = stats_.nodes = stats_.arcs = stats_.fitted_shapes = 0;
   if (!is_known) {
@@ -94,6 +94,13 @@ void IncrementalVectorizer::vectorize(const FrameView& shown, const Options& opt
   }
   count();
   clock.finish(5);
+}
+
+/// The frame, with its dithers blended if asked for.
+FrameView IncrementalVectorizer::blended(const FrameView& frame, const Options& options, bool is_known) {
+  if (options.dither == DitherKind::keep) return frame;
+  if (!is_known) dithers_.reset();
+  return dithers_.update(frame, options.linear_light, rules_);
 }
 
 void IncrementalVectorizer::count() {
@@ -418,7 +425,7 @@ const PlanarMap& IncrementalVectorizer::map() const {
 }
 
 std::size_t IncrementalVectorizer::memory_bytes() const {
-  return border_.memory_bytes() + graph_.memory_bytes() + blocks_.memory_bytes() +
+  return dithers_.memory_bytes() + border_.memory_bytes() + graph_.memory_bytes() + blocks_.memory_bytes() +
          components_.memory_bytes() + cells_.memory_bytes() + shading_.memory_bytes() +
          shading_before_.memory_bytes() +
          held_bytes(colours_before_, changed_colours_, marks_, stale_, stale_codes_, curves_before_,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "libdepixel/incremental/block_moves.hpp"
+#include "libdepixel/incremental/dither_updater.hpp"
 #include "libdepixel/incremental/incremental_graph.hpp"
 #include "libdepixel/incremental/map_comparison.hpp"
 #include "libdepixel/incremental/move_guess.hpp"
@@ -24,14 +25,15 @@ class IncrementalVectorizer {
  public:
   explicit IncrementalVectorizer(RuleSet rules = {}) : rules_(rules) {}
 
-  /// \param shown  a frame of at least 1x1 pixels; read during the call only.
-  void vectorize(const FrameView& shown, const Options& options);
+  /// \param input  a frame of at least 1x1 pixels; read during the call only.
+  void vectorize(const FrameView& input, const Options& options);
   /// Forgets the frames before: the next one is vectorized from scratch.
   void reset() { options_.reset(); }
 
   /// Where the map differs from that of the call before.
   const MapChanges& changes() const { return changes_; }
 
+  /// Resolved. Its pixels are the frame's, with dithers blended if asked for.
   const SimilarityGraph& graph() const { return graph_.resolved(); }
   const CellGraph& cells() const { return cells_; }
   const EdgeMap& edges() const { return edges_; }
@@ -47,6 +49,7 @@ class IncrementalVectorizer {
   const VectorizeStats& stats() const { return stats_; }
 
  private:
+  FrameView blended(const FrameView& frame, const Options& options, bool is_known);
   void forget(const Lattice& lattice);
   void settle_before();
   void forget_set_curves();
@@ -77,6 +80,7 @@ class IncrementalVectorizer {
   std::optional<Options> options_;  ///< of the frame before; none at first
   Workers workers_;
 
+  DitherUpdater dithers_;
   Border border_;
   MoveGuess guess_;
   BlockMoves blocks_;

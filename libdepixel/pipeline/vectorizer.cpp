@@ -4,8 +4,8 @@
 
 namespace depixel {
 
-const PlanarMap& Vectorizer::vectorize(const FrameView& frame, const Options& options) {
-  vectorize_by_edge(frame, options);
+const PlanarMap& Vectorizer::vectorize(const FrameView& input, const Options& options) {
+  vectorize_by_edge(input, options);
   {
     const Stopwatch time(stats_.stage_ns[5]);
     build_planar_map(by_edge(), map_);
@@ -14,12 +14,14 @@ const PlanarMap& Vectorizer::vectorize(const FrameView& frame, const Options& op
   return map_;
 }
 
-void Vectorizer::vectorize_by_edge(const FrameView& shown, const Options& options) {
+void Vectorizer::vectorize_by_edge(const FrameView& input, const Options& options) {
   const bool merges = options.has_whole_components();
   workers_.set_threads(options.threads);
   StageClock clock(stats_);
 
-  const FrameView frame = border_.continued(shown, options.border);
+  const bool blends = options.dither == DitherKind::blend;
+  if (blends) blend_dithers(input, options.linear_light, dithers_);
+  const FrameView frame = border_.continued(blends ? dithers_.view() : input, options.border);
   build_similarity_graph(frame, options.similarity, options.connect_lines, graph_);
   clock.finish(0);
 
@@ -73,9 +75,10 @@ void Vectorizer::fit(const Options& options) {
 }
 
 std::size_t Vectorizer::memory_bytes() const {
-  return border_.memory_bytes() + graph_.memory_bytes() + crossings_.memory_bytes() + components_.memory_bytes() +
-         cells_.memory_bytes() + held_bytes(marks_) + contours_.memory_bytes() + arcs_.memory_bytes() +
-         table_.memory_bytes() + edges_.memory_bytes() + shading_.memory_bytes() + map_.memory_bytes();
+  return dithers_.memory_bytes() + border_.memory_bytes() + graph_.memory_bytes() +
+         crossings_.memory_bytes() + components_.memory_bytes() + cells_.memory_bytes() + held_bytes(marks_) +
+         contours_.memory_bytes() + arcs_.memory_bytes() + table_.memory_bytes() + edges_.memory_bytes() +
+         shading_.memory_bytes() + map_.memory_bytes();
 }
 
 }  // namespace depixel

@@ -12,6 +12,7 @@
 #include "libdepixel/stages/components.hpp"
 #include "libdepixel/stages/contours.hpp"
 #include "libdepixel/stages/crossings.hpp"
+#include "libdepixel/stages/dithers.hpp"
 #include "libdepixel/stages/edge_map.hpp"
 #include "libdepixel/stages/planar_map.hpp"
 #include "libdepixel/stages/similarity_graph.hpp"
@@ -56,13 +57,14 @@ class StageClock {
 class Vectorizer {
  public:
   /// Runs all stages, in order.
-  /// \param frame  at least 1x1 pixels; read during the call only.
+  /// \param input  a frame of at least 1x1 pixels; read during the call only.
   /// \return the planar map, valid until the next call. It does not depend on the number of threads.
-  const PlanarMap& vectorize(const FrameView& frame, const Options& options);
+  const PlanarMap& vectorize(const FrameView& input, const Options& options);
   /// Runs all stages but the last: the map by edge is all that a rasteriser needs.
-  void vectorize_by_edge(const FrameView& shown, const Options& options);
+  void vectorize_by_edge(const FrameView& input, const Options& options);
 
-  const SimilarityGraph& graph() const { return graph_; }  ///< resolved
+  /// Resolved. Its pixels are the frame's, with dithers blended if asked for.
+  const SimilarityGraph& graph() const { return graph_; }
   const Components& components() const { return components_; }
   const CellGraph& cells() const { return cells_; }
   const Contours& contours() const { return contours_; }
@@ -79,6 +81,7 @@ class Vectorizer {
   std::size_t memory_bytes() const;
 
   Workers workers_;
+  Dithers dithers_;  ///< filled only when dithers are blended
   Border border_;
   SimilarityGraph graph_;
   CrossingScratch crossings_;

@@ -20,9 +20,9 @@ struct CentreReport {
 /// centres of each row, every crossing of a curve changes the colour from the one on its right to the one on
 /// its left or back. A centre exactly on a curve counts as lying east of it. With exact similarity and no
 /// connected lines, nothing is lost and nearest is at least kCentreClearance. Merging repaints pixels on
-/// purpose; here they just count as lost. \param map    of the same size as the graph. \param graph  holds
-/// the frame's pixels; its links are not read. Cost: linear in pixels and segments; `nearest` is exact to
-/// 1/kSubpixels/64 of a pixel.
+/// purpose; here they just count as lost. Dithers that are blended were so before: the colour between is
+/// theirs. \param map    of the same size as the graph. \param graph  holds the frame's pixels; its links are
+/// not read. Cost: linear in pixels and segments; `nearest` is exact to 1/kSubpixels/64 of a pixel.
 CentreReport verify_centres(const PlanarMap& map, const SimilarityGraph& graph);
 
 }  // namespace depixel

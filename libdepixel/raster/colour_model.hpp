@@ -7,9 +7,9 @@
 #include <cstdlib>
 
 #include "libdepixel/core/color.hpp"
+#include "libdepixel/core/light.hpp"
 #include "libdepixel/core/simd.hpp"
 #include "libdepixel/core/tolerances.hpp"
-#include "libdepixel/raster/light.hpp"
 
 namespace depixel {
 

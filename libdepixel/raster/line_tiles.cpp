@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <bit>
 
+#include "libdepixel/core/light.hpp"
 #include "libdepixel/core/memory.hpp"
 #include "libdepixel/raster/flatten.hpp"
-#include "libdepixel/raster/light.hpp"
 
 namespace depixel {
 namespace {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "libdepixel/core/frame_view.hpp"
+#include "libdepixel/core/lattice.hpp"
 #include "libdepixel/core/memory.hpp"
 #include "libdepixel/core/options.hpp"
 
@@ -19,6 +20,12 @@ class Border {
   /// margin. \return a view of the frame given, or of a copy that is valid until the next call.
   /// Cost: linear in pixels; no allocation when the size stays.
   FrameView continued(const FrameView& frame, BorderKind kind);
+
+  /// The lattice of a continued frame.
+  static Lattice lattice_of(const FrameView& frame, BorderKind kind) {
+    const int margin = kind == BorderKind::fixed ? 0 : kMargin;
+    return {frame.width + 2 * margin, frame.height + 2 * margin, margin};
+  }
 
   std::size_t memory_bytes() const { return held_bytes(pixels_); }
 

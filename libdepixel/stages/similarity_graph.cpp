@@ -135,16 +135,14 @@ void find_neighbours(const SimilarityGraph& graph, std::vector<std::uint8_t>& ma
 }
 
 void take_pixels(const FrameView& frame, int y, int from, int to, SimilarityGraph& graph) {
-  const std::uint8_t* row = frame.pixels + y * frame.pitch;
-  Rgba* pixels = graph.pixels.data() + graph.lattice.pixel(0, y);
-  int x = from;
-  for (; x + kWordLanes <= to; x += kWordLanes) {
-    store_vector(pixels + x, load_normalized(row + sizeof(Rgba) * x));
-  }
-  for (; x < to; ++x) {
-    std::memcpy(pixels + x, row + sizeof(Rgba) * x, sizeof(Rgba));
-    pixels[x] = normalized(pixels[x]);
-  }
+  take_normalized(frame.pixels + y * frame.pitch + std::ptrdiff_t{sizeof(Rgba)} * from, to - from,
+                  graph.pixels.data() + graph.lattice.pixel(from, y));
+}
+
+FrameView pixels_of(const SimilarityGraph& graph) {
+  const Lattice& lattice = graph.lattice;
+  return {reinterpret_cast<const std::uint8_t*>(graph.pixels.data() + lattice.pixel(0, 0)), lattice.width(),
+          lattice.height(), std::ptrdiff_t{sizeof(Rgba)} * lattice.stride(), lattice.margin()};
 }
 
 std::array<int, 8> neighbour_offsets(const Lattice& lattice) {

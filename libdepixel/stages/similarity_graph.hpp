@@ -70,6 +70,9 @@ void build_similarity_graph(const FrameView& frame, Similarity similarity, bool 
 /// \param graph  of the frame's size.
 void take_pixels(const FrameView& frame, int y, int from, int to, SimilarityGraph& graph);
 
+/// The pixels of a graph as a frame; valid as long as they are.
+FrameView pixels_of(const SimilarityGraph& graph);
+
 /// A part of row y of it, from .. to - 1, and maybe up to fifteen blocks more, for exact similarity and
 /// without connect-lines: a block's links depend on its four pixels alone. \param graph  its pixels are read.
 /// \param links  padded; only the row's entries are written.

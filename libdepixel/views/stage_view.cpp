@@ -49,11 +49,11 @@ class Drawer {
   void draw(StageView view, const FrameView& frame, const Options& options) {
     switch (view) {
       case StageView::bitmap:
-        return fill_squares();
+        return fill_squares(frame);
       case StageView::similarity:
-        fill_squares();
+        fill_squares(pixels_of(stages_.graph()));
         fade();
-        return draw_links(frame, options);
+        return draw_links(options);
       case StageView::cells:
         return draw_cells(CellShape::accurate);
       case StageView::simplified:
@@ -99,9 +99,10 @@ class Drawer {
   }
 
   /// Squares are the cells of a graph without links.
-  void fill_squares() {
+  void fill_squares(const FrameView& frame) {
     drawing_.graph = stages_.graph();
     remove_links();
+    for (int y = 0; y < frame.height; ++y) take_pixels(frame, y, 0, frame.width, drawing_.graph);
     fill_cells(CellShape::simplified);
   }
 
@@ -118,10 +119,9 @@ class Drawer {
   }
 
   /// The graph as it is before freezing. Links in a row are one stroke.
-  void draw_links(const FrameView& frame, const Options& options) {
+  void draw_links(const Options& options) {
     SimilarityGraph& graph = drawing_.graph;
-    Border border;
-    build_raw_similarity_graph(border.continued(frame, options.border), options.similarity, graph);
+    build_raw_similarity_graph(pixels_of(stages_.graph()), options.similarity, graph);
     const Lattice& lattice = graph.lattice;
     const int stride = lattice.stride();
     struct LinkKind {

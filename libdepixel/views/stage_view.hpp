@@ -16,7 +16,7 @@ namespace depixel {
 
 /// The intermediate steps that can be looked at, in the order of the pipeline. Source: Schapfel, figure 62.
 enum class StageView {
-  bitmap,      ///< square pixels
+  bitmap,      ///< square pixels, as they came: dithers are not blended
   similarity,  ///< faint pixels, their nodes and links before freezing; crossings ringed in red
   cells,       ///< accurate cells
   simplified,  ///< simplified cells

@@ -69,8 +69,8 @@ void operator delete[](void* p, std::size_t, std::align_val_t) noexcept {
 namespace depixel::test {
 namespace {
 
-/// Two frames of one size that are turned into pictures in turn: noise and rings on the one, the same upside
-/// down on the other, so that both need buffers as large.
+/// Two frames of one size that are turned into pictures in turn: noise, rings and a dither on the one, the
+/// same upside down on the other, so that both need buffers as large.
 std::array<Picture, 2> frames() {
   Picture picture(96, 64, palette_colour('.'));
   std::uint32_t state = 7;
@@ -78,7 +78,8 @@ std::array<Picture, 2> frames() {
     for (int x = 0; x < picture.width; ++x) {
       state = state * 1664525 + 1013904223;
       const int dx = x - 40, dy = y - 30, ring = (dx * dx + dy * dy) / 120 % 4;
-      picture.at(x, y) = palette_colour(x < 24 ? ".#rg"[state >> 30] : "_#b5"[ring]);
+      const char in_ring = x > 80 ? ".r"[(x + y) % 2] : "_#b5"[ring];  // or in a dither
+      picture.at(x, y) = palette_colour(x < 24 ? ".#rg"[state >> 30] : in_ring);
     }
   }
   return {picture, Symmetry{false, 2}(picture)};
@@ -176,6 +177,7 @@ std::vector<Options> exact_options() {
       list.push_back(options);
     }
   }
+  list.push_back({.dither = DitherKind::blend});
   return list;
 }
 

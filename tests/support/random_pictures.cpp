@@ -123,6 +123,7 @@ rc::Gen<Options> random_lossless_options() {
 rc::Gen<Options> random_options() {
   return rc::gen::build<Options>(rc::gen::set(&Options::similarity, random_enum<Similarity>(2)),
                                  rc::gen::set(&Options::connect_lines, rc::gen::arbitrary<bool>()),
+                                 rc::gen::set(&Options::dither, random_enum<DitherKind>(2)),
                                  rc::gen::set(&Options::spline, random_enum<SplineKind>(3)),
                                  rc::gen::set(&Options::smoothing, random_enum<Smoothing>(3)),
                                  rc::gen::set(&Options::text_safe, rc::gen::arbitrary<bool>()),

@@ -49,6 +49,8 @@ TEST(Options, ChoiceNamesMatchTheirEnumerators) {
   };
   set("similarity", "merge");
   EXPECT_EQ(options.similarity, Similarity::merge);
+  set("dither", "blend");
+  EXPECT_EQ(options.dither, DitherKind::blend);
   set("spline", "interpolate");
   EXPECT_EQ(options.spline, SplineKind::interpolate);
   set("spline", "approximate");
@@ -97,7 +99,7 @@ TEST(Options, EveryFieldHasARow) {
     if (!(options == Options{})) ++changed;
   }
   EXPECT_EQ(changed, option_table().size());
-  EXPECT_EQ(changed, 14u);
+  EXPECT_EQ(changed, 15u);
 }
 
 }  // namespace

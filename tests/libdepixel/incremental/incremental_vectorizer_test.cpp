@@ -247,6 +247,31 @@ TEST(IncrementalVectorizer, OptionsOfDrawingAndThreadsMakeNothingNew) {
   EXPECT_FALSE(both.incremental().changes().any());
 }
 
+/// Alternating colours are how old displays showed more of them.
+TEST(IncrementalVectorizer, DithersThatSwapTheirColoursChangeNothing) {
+  constexpr Options kBlend{.dither = DitherKind::blend};
+  Both both;
+  for (int phase = 0; phase < 4; ++phase) {
+    Picture picture = large_picture();
+    for (int y = 4; y < 20; ++y) {
+      for (int x = 5; x < 25; ++x) picture.at(x, y) = palette_colour("08"[(x + y + phase) % 2]);
+    }
+    ASSERT_EQ(both.mismatch({picture, kBlend}), "");
+    EXPECT_EQ(both.incremental().changes().any(), phase == 0);
+  }
+}
+
+TEST(IncrementalVectorizer, DithersAreBlendedInTheLightOfEdges) {
+  const Picture picture = ascii_picture({".#.#",  //
+                                         "#.#.",  //
+                                         ".#.#",  //
+                                         "#.#."});
+  Both both;
+  ASSERT_EQ(both.mismatch({picture, {.dither = DitherKind::blend}}), "");
+  ASSERT_EQ(both.mismatch({picture, {.dither = DitherKind::blend, .linear_light = true}}), "");
+  EXPECT_TRUE(both.incremental().changes().any());
+}
+
 TEST(IncrementalVectorizer, AResetMakesAllNew) {
   Both both;
   ASSERT_EQ(both.mismatch({busy_picture(), {}}), "");

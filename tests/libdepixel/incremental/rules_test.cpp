@@ -20,9 +20,32 @@ struct RuleCase {
 constexpr Options kOnlyContinuousCurves{
     .curve_rule = CurveRule::continuity, .sparse_weight = 0, .island_weight = 0};
 
+constexpr Options kBlendedDithers{.dither = DitherKind::blend};
+
 /// The smallest that a search over random sequences came to.
 std::vector<RuleCase> rule_cases() {
   return {
+      {"dithers_by_pixels",
+       ascii_picture({".#.#",  //
+                      "#.#.",  //
+                      ".#.#",  //
+                      "#.#."}),
+       ascii_picture({".4.4",  //
+                      "4.4.",  //
+                      ".4.4",  //
+                      "4.4."}),
+       kBlendedDithers},
+      // One pixel changes, and what is left is no area.
+      {"dithers_by_areas",
+       ascii_picture({".#.#",  //
+                      "#.#.",  //
+                      ".#.#",  //
+                      "#.#."}),
+       ascii_picture({".#.#",  //
+                      "#4#.",  //
+                      ".#.#",  //
+                      "#.#."}),
+       kBlendedDithers},
       // The link is the first row's, the pixel that changes is in the second.
       {"links_by_pixels",
        ascii_picture({"..",  //
@@ -212,7 +235,7 @@ INSTANTIATE_TEST_SUITE_P(All, Rules, testing::Range(0, static_cast<int>(kRuleNam
                          [](const auto& tested) { return std::string(kRuleNames[tested.param]); });
 
 TEST(RuleSet, HoldsAllRulesButThoseTakenAway) {
-  constexpr auto kFirst = Rule::links_by_pixels, kLast = Rule::tiles_by_shading;
+  constexpr auto kFirst = Rule::dithers_by_pixels, kLast = Rule::tiles_by_shading;
   EXPECT_EQ(kRuleNames.size(), static_cast<std::size_t>(kLast) + 1);
   constexpr RuleSet kAll, kSome = kAll.without(kFirst).without(kLast);
   for (std::size_t i = 0; i < kRuleNames.size(); ++i) {

@@ -53,6 +53,7 @@ RC_GTEST_PROP(RegionSums, CentresHaveTheirPixelsOwnColour, (const Picture& pictu
   // Curves keep away from centres by more than half the diagonal of a fifteenth of a pixel.
   Options options = *random_shaded_options();
   options.shading = ShadingKind::gradient;
+  options.dither = DitherKind::keep;
   const PlanarMap map = vectorized(picture, options);
   const Picture out =
       draw(map, {15, 15, 0, 0}, 15 * picture.width, 15 * picture.height, options.linear_light);

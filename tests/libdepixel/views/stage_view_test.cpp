@@ -53,6 +53,15 @@ TEST(StageView, BitmapShowsSquarePixels) {
   }
 }
 
+TEST(StageView, BitmapShowsDithersAsTheyCame) {
+  const Picture in = ascii_picture({".#.#", "#.#.", ".#.#", "#.#."});
+  const Options blend{.dither = DitherKind::blend};
+  EXPECT_EQ(painted(make_stage_drawing(StageView::bitmap, in.view(), blend), 1), in);
+  EXPECT_EQ(painted(make_stage_drawing(StageView::components, in.view(), blend), 1),
+            Picture(4, 4, {128, 128, 128, 255}));
+  EXPECT_EQ(rings(make_stage_drawing(StageView::similarity, in.view(), blend)), 0);
+}
+
 TEST(StageView, ComponentsShowThePicture) {
   const Picture in = sample();
   Vectorizer vectorizer;

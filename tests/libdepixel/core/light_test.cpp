@@ -1,4 +1,4 @@
-#include "libdepixel/raster/light.hpp"
+#include "libdepixel/core/light.hpp"
 
 #include <gtest/gtest.h>
 
