@@ -181,101 +181,103 @@ rc::Gen<int> random_size(int max_size) {
 rc::Gen<Options> likely_options() {
   const auto with_blended_dithers = rc::gen::map(random_lossless_options(), [](Options options) {
     options.dither = DitherKind::blend;
-    return rc::gen::apply(
-        [](Options options, BorderKind border) {
-          options.border = border;
-          return options;
-        },
-        rc::gen::weightedOneOf<Options>(
-            {{2, random_lossless_options()}, {1, with_blended_dithers}, {1, random_options()}}),
-        rc::gen::weightedOneOf<BorderKind>({{3, rc::gen::just(BorderKind::fixed)}, {1, random_border()}}));
+    return options;
+  });
+  return rc::gen::apply(
+      [](Options options, BorderKind border) {
+        options.border = border;
+        return options;
+      },
+      rc::gen::weightedOneOf<Options>(
+          {{2, random_lossless_options()}, {1, with_blended_dithers}, {1, random_options()}}),
+      rc::gen::weightedOneOf<BorderKind>({{3, rc::gen::just(BorderKind::fixed)}, {1, random_border()}}));
 }
 
 rc::Gen<Picture> random_background(int max_width, int max_height) {
-    return rc::gen::map(
-        random_picture({std::max(max_width, max_height), kColours}), [=](const Picture& picture) {
-          Picture cut(std::min(picture.width, max_width), std::min(picture.height, max_height));
-          paste(cut, picture, 0, 0);
-          return cut;
-        });
+  return rc::gen::map(random_picture({std::max(max_width, max_height), kColours}),
+                      [=](const Picture& picture) {
+                        Picture cut(std::min(picture.width, max_width), std::min(picture.height, max_height));
+                        paste(cut, picture, 0, 0);
+                        return cut;
+                      });
 }
 
 /// A step without picture or options. Numbers that are mostly small make moves that can be found again.
 rc::Gen<Step> plain_step(StepKind kind, int max_move, const RandomSequenceLimits& limits) {
-    return rc::gen::build<Step>(rc::gen::set(&Step::kind, rc::gen::just(kind)),
-                                rc::gen::set(&Step::which, random_int(0, 16)),
-                                rc::gen::set(&Step::x, random_int(-max_move, max_move + 1)),
-                                rc::gen::set(&Step::y, random_int(-max_move, max_move + 1)),
-                                rc::gen::set(&Step::width, random_int(1, limits.max_width + 1)),
-                                rc::gen::set(&Step::height, random_int(1, limits.max_height + 1)));
+  return rc::gen::build<Step>(rc::gen::set(&Step::kind, rc::gen::just(kind)),
+                              rc::gen::set(&Step::which, random_int(0, 16)),
+                              rc::gen::set(&Step::x, random_int(-max_move, max_move + 1)),
+                              rc::gen::set(&Step::y, random_int(-max_move, max_move + 1)),
+                              rc::gen::set(&Step::width, random_int(1, limits.max_width + 1)),
+                              rc::gen::set(&Step::height, random_int(1, limits.max_height + 1)));
 }
 
 rc::Gen<Step> step_with_picture(StepKind kind, const rc::Gen<Picture>& picture,
                                 const RandomSequenceLimits& limits) {
-    return rc::gen::apply(
-        [](Step step, const Picture& painted) {
-          step.picture = painted;
-          return step;
-        },
-        plain_step(kind, limits.max_width, limits), picture);
+  return rc::gen::apply(
+      [](Step step, const Picture& painted) {
+        step.picture = painted;
+        return step;
+      },
+      plain_step(kind, limits.max_width, limits), picture);
 }
 
 rc::Gen<Step> random_step(const RandomSequenceLimits& limits) {
-    constexpr int kNear = 3;
-    const int far = limits.max_width;
-    const auto plain = [&](StepKind kind, int max_move) { return plain_step(kind, max_move, limits); };
-    const auto sprite = random_picture({10, kColours});
-    const auto background = random_background(limits.max_width, limits.max_height);
-    const auto options_step =
-        rc::gen::build<Step>(rc::gen::set(&Step::kind, rc::gen::just(StepKind::change_options)),
-                             rc::gen::set(&Step::options, likely_options()));
-    return rc::gen::weightedOneOf<Step>({
-        {8, plain(StepKind::move_sprite, kNear)},
-        {2, plain(StepKind::move_sprite, far)},
-        {5, step_with_picture(StepKind::add_sprite, sprite, limits)},
-        {1, plain(StepKind::remove_sprite, 0)},
-        {6, plain(StepKind::set_pixel, far)},
-        {2, plain(StepKind::paint_rectangle, far)},
-        {3, plain(StepKind::scroll_all, kNear)},
-        {5, plain(StepKind::scroll_background, kNear)},
-        {2, plain(StepKind::scroll_background, far)},
-        {3, plain(StepKind::scroll_foreground, kNear)},
-        {2, step_with_picture(StepKind::change_foreground, background, limits)},
-        {1, plain(StepKind::change_hud, 0)},
-        {2, plain(StepKind::cycle_palette, 0)},
-        {1, plain(StepKind::fade_palette, 0)},
-        {1, plain(StepKind::restore_palette, 0)},
-        {1, plain(StepKind::repeat, 0)},
-        {1, plain(StepKind::resize, 0)},
-        {1, step_with_picture(StepKind::cut, background, limits)},
-        {1, options_step},
-        {1, plain(StepKind::reset, 0)},
-    });
+  constexpr int kNear = 3;
+  const int far = limits.max_width;
+  const auto plain = [&](StepKind kind, int max_move) { return plain_step(kind, max_move, limits); };
+  const auto sprite = random_picture({10, kColours});
+  const auto background = random_background(limits.max_width, limits.max_height);
+  const auto options_step =
+      rc::gen::build<Step>(rc::gen::set(&Step::kind, rc::gen::just(StepKind::change_options)),
+                           rc::gen::set(&Step::options, likely_options()));
+  return rc::gen::weightedOneOf<Step>({
+      {8, plain(StepKind::move_sprite, kNear)},
+      {2, plain(StepKind::move_sprite, far)},
+      {5, step_with_picture(StepKind::add_sprite, sprite, limits)},
+      {1, plain(StepKind::remove_sprite, 0)},
+      {6, plain(StepKind::set_pixel, far)},
+      {2, plain(StepKind::paint_rectangle, far)},
+      {3, plain(StepKind::scroll_all, kNear)},
+      {5, plain(StepKind::scroll_background, kNear)},
+      {2, plain(StepKind::scroll_background, far)},
+      {3, plain(StepKind::scroll_foreground, kNear)},
+      {2, step_with_picture(StepKind::change_foreground, background, limits)},
+      {1, plain(StepKind::change_hud, 0)},
+      {2, plain(StepKind::cycle_palette, 0)},
+      {1, plain(StepKind::fade_palette, 0)},
+      {1, plain(StepKind::restore_palette, 0)},
+      {1, plain(StepKind::repeat, 0)},
+      {1, plain(StepKind::resize, 0)},
+      {1, step_with_picture(StepKind::cut, background, limits)},
+      {1, options_step},
+      {1, plain(StepKind::reset, 0)},
+  });
 }
 
 std::string_view name_of(bool value) {
-    return value ? "true" : "false";
+  return value ? "true" : "false";
 }
 
 void print(std::ostream& out, const Options& options) {
-    constexpr std::array<std::string_view, 2> kSimilarities{"exact", "merge"};
-    constexpr std::array<std::string_view, 2> kDithers{"keep", "blend"};
-    constexpr std::array<std::string_view, 3> kSplines{"adaptive", "approximate", "interpolate"};
-    constexpr std::array<std::string_view, 3> kSmoothings{"energy", "average", "none"};
-    constexpr std::array<std::string_view, 3> kShadings{"none", "gradient", "blur"};
-    constexpr std::array<std::string_view, 3> kBorders{"fixed", "repeat", "mirror"};
-    out << "{.similarity = Similarity::" << kSimilarities[static_cast<int>(options.similarity)]
-        << ", .connect_lines = " << name_of(options.connect_lines)
-        << ", .dither = DitherKind::" << kDithers[static_cast<int>(options.dither)]
-        << ", .spline = SplineKind::" << kSplines[static_cast<int>(options.spline)]
-        << ", .smoothing = Smoothing::" << kSmoothings[static_cast<int>(options.smoothing)]
-        << ", .curve_rule = CurveRule::"
-        << (options.curve_rule == CurveRule::valence ? "valence" : "continuity")
-        << ", .border = BorderKind::" << kBorders[static_cast<int>(options.border)]
-        << ", .text_safe = " << name_of(options.text_safe)
-        << ", .shading = ShadingKind::" << kShadings[static_cast<int>(options.shading)]
-        << ", .soft_contours = " << options.soft_contours
-        << ", .linear_light = " << name_of(options.linear_light) << ", .threads = " << options.threads << '}';
+  constexpr std::array<std::string_view, 2> kSimilarities{"exact", "merge"};
+  constexpr std::array<std::string_view, 2> kDithers{"keep", "blend"};
+  constexpr std::array<std::string_view, 3> kSplines{"adaptive", "approximate", "interpolate"};
+  constexpr std::array<std::string_view, 3> kSmoothings{"energy", "average", "none"};
+  constexpr std::array<std::string_view, 3> kShadings{"none", "gradient", "blur"};
+  constexpr std::array<std::string_view, 3> kBorders{"fixed", "repeat", "mirror"};
+  out << "{.similarity = Similarity::" << kSimilarities[static_cast<int>(options.similarity)]
+      << ", .connect_lines = " << name_of(options.connect_lines)
+      << ", .dither = DitherKind::" << kDithers[static_cast<int>(options.dither)]
+      << ", .spline = SplineKind::" << kSplines[static_cast<int>(options.spline)]
+      << ", .smoothing = Smoothing::" << kSmoothings[static_cast<int>(options.smoothing)]
+      << ", .curve_rule = CurveRule::"
+      << (options.curve_rule == CurveRule::valence ? "valence" : "continuity")
+      << ", .border = BorderKind::" << kBorders[static_cast<int>(options.border)]
+      << ", .text_safe = " << name_of(options.text_safe)
+      << ", .shading = ShadingKind::" << kShadings[static_cast<int>(options.shading)]
+      << ", .soft_contours = " << options.soft_contours
+      << ", .linear_light = " << name_of(options.linear_light) << ", .threads = " << options.threads << '}';
 }
 
 }  // namespace
