@@ -27,7 +27,7 @@ struct Traced {
     label_components(vectorizer.graph(), components);
     trace_outlines(map, vectorizer.graph(), components, exact);
     simplified = exact;
-    simplify_outlines(kSvgTolerance, kGrid, simplified);
+    simplify_outlines(map, kSvgTolerance, kGrid, simplified);
   }
 };
 
