@@ -20,7 +20,7 @@ struct Stop {
 };
 constexpr std::array<Stop, 4> kFading{{{"0", "1"}, {".33", ".6"}, {".67", ".12"}, {"1", "0"}}};
 /// In pixels: as soft as the mixture between two centres is.
-constexpr std::string_view kDeviation = ".45";
+constexpr std::string_view kDeviation = ".35";
 
 std::string colour_name(Rgba colour) {
   std::string name;

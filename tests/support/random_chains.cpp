@@ -14,7 +14,8 @@ Chain random_chain() {
   std::vector<glm::dvec2> points;
   for (int i = 0; i < count; ++i) {
     const double angle = i * 6.28318 / count, radius = count / 6.28 * (1 + depth * std::sin(wave * angle));
-    points.push_back(kSubpixels * glm::dvec2(9.3 + radius * std::cos(angle), 8.4 + radius * std::sin(angle)));
+    points.push_back(double(kSubpixels) *
+                     glm::dvec2(9.3 + radius * std::cos(angle), 8.4 + radius * std::sin(angle)));
   }
   const auto at = [&](int i) { return points[(i + count) % count]; };
   const auto rounded = [](glm::dvec2 p) {

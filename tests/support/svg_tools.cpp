@@ -245,8 +245,8 @@ std::vector<Picture> draw_with_chromium(const std::vector<SvgToDraw>& documents)
       "timeout 100 chromium --headless --no-sandbox --disable-gpu --hide-scrollbars "
       "--force-device-scale-factor=1 --default-background-color=00000000 --user-data-dir=" +
       quoted(folder.path / "profile") + " --window-size=" + std::to_string(width) + "," +
-      std::to_string(height) + " --screenshot=" + quoted(out) + " " +
-      quoted("file://" + (folder.path / "page.html").string()) + " >/dev/null 2>&1";
+      std::to_string(height) + " --screenshot=" + quoted(out) + " file://" +
+      quoted(folder.path / "page.html") + " >/dev/null 2>&1";
   if (std::system(command.c_str()) != 0) return {};
   const Picture all = load_picture(out);
   if (all.width != width || all.height != height) return {};

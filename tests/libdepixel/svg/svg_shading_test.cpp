@@ -48,7 +48,7 @@ std::vector<Shaded> shaded_pictures() {
 }
 
 /// Discs and blurred squares come near to the raster's mixtures, and nearer than components of one colour do.
-constexpr double kMostError = 3.0, kPartOfFlat = 0.7;
+constexpr double kMostError = 3.0, kPartOfFlat = 0.75;
 
 TEST(SvgShading, RsvgDrawsItNearly) {
   for (const Shaded& shaded : shaded_pictures()) {
