@@ -24,7 +24,7 @@ constexpr double kSvgTolerance = 0.06, kMaxSvgTolerance = 0.5;
 
 /// What it costs to leave a square pixel between the curve of an SVG file and those that it replaces, in
 /// characters, where the colours on both sides are black and white; less where they are nearer to each other.
-/// So what is seen most strays least: at 8x the mean difference is below 0.3 of 255 for high contrast, too.
+/// So what is seen most strays least: at 8x black and white icons differ by less than 0.3 of 255 on average.
 constexpr double kSvgPrice = 2000;
 
 /// Where two curves of a contour turn by more than this (20 degrees; the sine), that is a corner, and no

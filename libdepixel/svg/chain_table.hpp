@@ -26,7 +26,7 @@ class ChainTable {
     std::size_t first, count;
   };
   struct Hash {
-    using is_transparent = void;
+    using is_transparent = void;  // NOLINT(readability-identifier-naming): as the standard has it
     std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
   };
 
