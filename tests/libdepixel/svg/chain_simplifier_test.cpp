@@ -13,7 +13,7 @@ constexpr SvgGrid kGrid = SvgGrid::within(kSvgTolerance);
 Chain bow(double height_px, int weight) {
   constexpr int kLines = 8;
   const auto at = [&](int i) {
-    const double x = i - kLines / 2;
+    const double x = i - kLines / 2.0;
     const double y = height_px * (1 - 4 * x * x / (kLines * kLines));
     return glm::ivec2(i * kSubpixels, static_cast<int>(std::lround(y * kSubpixels)));
   };
