@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ struct Settings {
 struct Sizes {
   std::string name;
   std::size_t exact_bytes = 0, bytes = 0;
+  int pictures = 0;
+  double ms = 0;          ///< of the processor, to write all of them, simplified
   double pixels = 0;      ///< at 8x
   double difference = 0;  ///< the sum of theirs
 
@@ -39,6 +42,8 @@ struct Sizes {
   void add(const Sizes& other) {
     exact_bytes += other.exact_bytes;
     bytes += other.bytes;
+    pictures += other.pictures;
+    ms += other.ms;
     difference += other.difference;
     pixels += other.pixels;
   }
@@ -48,14 +53,17 @@ Sizes measure(const std::filesystem::path& file, double tolerance_px) {
   const Picture picture = read_picture(file);
   Vectorizer vectorizer;
   const PlanarMap& map = vectorizer.vectorize(picture.view(), Options{});
-  Sizes sizes{file.string(), write_svg(map, vectorizer.graph(), 0).size(),
-              write_svg(map, vectorizer.graph(), tolerance_px).size()};
+  Sizes sizes{file.string(), write_svg(map, vectorizer.graph(), 0).size()};
+  const std::clock_t start = std::clock();
+  sizes.bytes = write_svg(map, vectorizer.graph(), tolerance_px).size();
+  sizes.ms = 1e3 * double(std::clock() - start) / CLOCKS_PER_SEC;
+  sizes.pictures = 1;
   Components components;
   label_components(vectorizer.graph(), components);
   Outlines outlines;
   trace_outlines(map, vectorizer.graph(), components, outlines);
   const Picture exact = draw_outlines(map, components, outlines);
-  simplify_outlines(tolerance_px, SvgGrid::within(tolerance_px), outlines);
+  simplify_outlines(map, tolerance_px, SvgGrid::within(tolerance_px), outlines);
   const Picture simplified = draw_outlines(map, components, outlines);
   sizes.pixels = double(exact.width()) * exact.height();
   sizes.difference = mean_difference(exact, simplified) * sizes.pixels;
@@ -66,8 +74,8 @@ void print(const Sizes& sizes, const Sizes* worst) {
   constexpr std::size_t kNameColumns = 40;
   std::string name = sizes.name;
   if (name.size() > kNameColumns) name = "..." + name.substr(name.size() - kNameColumns + 3);
-  fmt::print("{:<40} {:>11} {:>11} {:>7.3f} {:>8.3f}", name, sizes.exact_bytes, sizes.bytes, sizes.ratio(),
-             sizes.mean());
+  fmt::print("{:<40} {:>11} {:>11} {:>7.3f} {:>6.1f} {:>8.3f}", name, sizes.exact_bytes, sizes.bytes,
+             sizes.ratio(), sizes.ms / sizes.pictures, sizes.mean());
   if (worst != nullptr) {
     fmt::print(" {:>8.3f} {}", worst->mean(), std::filesystem::path(worst->name).filename().string());
   }
@@ -76,8 +84,8 @@ void print(const Sizes& sizes, const Sizes* worst) {
 }
 
 void run(const Settings& settings) {
-  fmt::print("{:<40} {:>11} {:>11} {:>7} {:>8} {:>8}\n", "input, bytes", "exact", "simplified", "ratio",
-             "mean", "worst");
+  fmt::print("{:<40} {:>11} {:>11} {:>7} {:>6} {:>8} {:>8}\n", "input, bytes", "exact", "simplified", "ratio",
+             "ms", "mean", "worst");
   Sizes all{"all"}, worst_of_all;
   for (const auto& input : settings.inputs) {
     Sizes sum{input.string()}, worst;
@@ -97,7 +105,9 @@ void run(const Settings& settings) {
 
 void add_options(CLI::App& app, Settings& settings) {
   app.description(
-      "Bytes of SVG files, exact and simplified, and the mean difference of their pictures at 8x, of 255.");
+      "Bytes of SVG files, exact and simplified, the time to write one of the latter, and the mean "
+      "difference of "
+      "their pictures at 8x, of 255.");
   app.add_option("INPUT", settings.inputs, "pictures, and folders of them; a line is printed for each")
       ->required();
   app.add_option("--every", settings.every, "take each n-th picture of a folder")

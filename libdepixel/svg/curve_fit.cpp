@@ -9,13 +9,21 @@ namespace {
 
 constexpr int kQuarters = 4;
 
+/// Curves are fitted to the starts of every quarter of short runs, every second one, or every fourth one of
+/// long runs; how near they are is told from all.
+int sample_step(int curves) {
+  return curves < 3 ? 1 : curves < 6 ? 2 : kQuarters;
+}
+
 /// How often parameters, and what is fitted at them, are improved in turns; and how many tolerances a curve
 /// may stray meanwhile, for more will not be made good.
 constexpr int kImprovements = 3;
-constexpr double kHopeless = 6.0;
+constexpr double kHopeless = 5.0;
 
 /// How far a handle may reach, in lengths of the chord: longer ones make loops.
 constexpr double kLongestHandle = 2.0;
+
+constexpr double kSquarePixel = 1.0 / (double(kSubpixels) * kSubpixels);
 
 double dot(glm::dvec2 a, glm::dvec2 b) {
   return a.x * b.x + a.y * b.y;
@@ -127,7 +135,7 @@ bool CurveFitter::keeps_tangents(int from, int to, glm::dvec2 start, glm::dvec2 
 
 /// All points so near to the line are one convex shape, round at its ends, so a curve lies in it if its
 /// control points do.
-std::optional<Cubic> CurveFitter::fit_line(int from, int to) const {
+std::optional<Fit> CurveFitter::fit_line(int from, int to) const {
   const glm::ivec2 p0 = snapped_start(from), p3 = snapped_end(to);
   const glm::dvec2 chord(p3 - p0);
   if (p0 == p3 || !keeps_tangents(from, to, chord, chord)) return std::nullopt;
@@ -140,18 +148,23 @@ std::optional<Cubic> CurveFitter::fit_line(int from, int to) const {
     const Cubic& c = chain_[i];
     if (is_off(c.p0) || is_off(c.p1) || is_off(c.p2) || is_off(c.p3)) return std::nullopt;
   }
-  return line(p0, p3);
+  double area = 0;
+  for (int i = kQuarters * from; i < kQuarters * to; ++i) {
+    area += std::abs(cross(quarters_[i].start - glm::dvec2(p0), chord)) * quarter_length(i);
+  }
+  return Fit{line(p0, p3), area / length(chord) * kSquarePixel};
 }
 
 /// The nearest one if that keeps the tangents, else the one that has them.
-std::optional<Cubic> CurveFitter::fit_quadratic(int from, int to) {
+std::optional<Fit> CurveFitter::fit_quadratic(int from, int to) {
   const std::optional<Cubic> best = least_squares_quadratic(from, to);
   if (!best) return std::nullopt;
   const bool is_smooth = keeps_tangents(from, to, best->p1 - best->p0, best->p3 - best->p2);
-  if (is_smooth && is_near(from, to, *best)) return best;
+  if (is_smooth) {
+    if (const std::optional<Fit> fit = fit_if_near(from, to, *best)) return fit;
+  }
   const std::optional<Cubic> smooth = tangent_quadratic(from, to);
-  if (!smooth || !is_near(from, to, *smooth)) return std::nullopt;
-  return smooth;
+  return smooth ? fit_if_near(from, to, *smooth) : std::nullopt;
 }
 
 std::optional<Cubic> CurveFitter::least_squares_quadratic(int from, int to) {
@@ -176,10 +189,10 @@ std::optional<Cubic> CurveFitter::tangent_quadratic(int from, int to) const {
   return quadratic(p0, snapped(glm::dvec2(p0) + start * (by_start / std::abs(turn))), p3);
 }
 
-std::optional<Cubic> CurveFitter::fit_cubic(int from, int to) {
+std::optional<Fit> CurveFitter::fit_cubic(int from, int to) {
   const glm::ivec2 p0 = snapped_start(from), p3 = snapped_end(to);
   if (to - from == 1) {
-    return Cubic{p0, grid_.snapped(chain_[from].p1), grid_.snapped(chain_[from].p2), p3};
+    return Fit{{p0, grid_.snapped(chain_[from].p1), grid_.snapped(chain_[from].p2), p3}, 0};
   }
   set_parameters_by_length(from, to);
   std::optional<Cubic> curve;
@@ -189,36 +202,49 @@ std::optional<Cubic> CurveFitter::fit_cubic(int from, int to) {
   }
   curve->p1 = grid_.snapped(curve->p1);
   curve->p2 = grid_.snapped(curve->p2);
-  if (!is_near(from, to, *curve)) return std::nullopt;
-  return curve;
+  return fit_if_near(from, to, *curve);
 }
 
 void CurveFitter::set_parameters_by_length(int from, int to) {
   const int first = kQuarters * from, last = kQuarters * to;
+  step_ = sample_step(to - from);
   const double start = quarters_[first].length_before, whole = quarters_[last].length_before - start;
-  for (int i = first; i < last; ++i) parameter_[i] = (quarters_[i].length_before - start) / whole;
+  for (int i = first; i < last; i += step_) parameter_[i] = (quarters_[i].length_before - start) / whole;
   parameter_[last] = 1;
 }
 
-/// One step of Newton's towards where a curve is nearest to the start of each quarter. \return whether there
-/// is hope that the curve is near.
+/// One step of Newton's towards where a curve is nearest to the start of each quarter that it is fitted to.
+/// \return whether there is hope that the curve is near.
 bool CurveFitter::improve_parameters(int from, int to, const Cubic& curve) {
   const Polynomial p(curve);
-  for (int i = kQuarters * from + 1; i < kQuarters * to; ++i) {
+  const double hopeless = kHopeless * kHopeless * tolerance_ * tolerance_;
+  for (int i = kQuarters * from + step_; i < kQuarters * to; i += step_) {
     const double t = parameter_[i];
     const glm::dvec2 off = p.at(t) - quarters_[i].start, slope = p.slope(t);
-    if (dot(off, off) > kHopeless * kHopeless * tolerance_ * tolerance_) return false;
+    if (dot(off, off) > hopeless) return false;
     const double rise = dot(slope, slope) + dot(off, p.bend(t));
-    if (rise > 0) parameter_[i] = std::clamp(t - dot(off, slope) / rise, parameter_[i - 1], 1.0);
+    if (rise > 0) parameter_[i] = std::clamp(t - dot(off, slope) / rise, parameter_[i - step_], 1.0);
   }
   return true;
+}
+
+/// Fills in the parameters between those that a curve was fitted at, by the lengths.
+void CurveFitter::refine_parameters(int from, int to) {
+  for (int i = kQuarters * from; i < kQuarters * to; i += step_) {
+    const double start = quarters_[i].length_before, whole = quarters_[i + step_].length_before - start;
+    const double scale = whole > 0 ? (parameter_[i + step_] - parameter_[i]) / whole : 0;
+    for (int j = i + 1; j < i + step_; ++j) {
+      parameter_[j] = parameter_[i] + scale * (quarters_[j].length_before - start);
+    }
+  }
+  step_ = 1;
 }
 
 /// The control point for which a quadratic curve, at its parameters, is nearest to the starts of quarters.
 glm::dvec2 CurveFitter::least_squares_control(int from, int to, glm::dvec2 p0, glm::dvec2 p3) const {
   double weight = 0;
   glm::dvec2 sum(0);
-  for (int i = kQuarters * from + 1; i < kQuarters * to; ++i) {
+  for (int i = kQuarters * from + step_; i < kQuarters * to; i += step_) {
     const double t = parameter_[i], s = 1 - t, b = 2 * s * t;
     sum += b * (quarters_[i].start - s * s * p0 - t * t * p3);
     weight += b * b;
@@ -231,7 +257,7 @@ std::optional<Cubic> CurveFitter::least_squares_handles(int from, int to, glm::i
                                                         glm::ivec2 p3) const {
   const glm::dvec2 a(p0), b(p3), start = tangents_[from].start, end = -tangents_[to - 1].end;
   double c11 = 0, c12 = 0, c22 = 0, x1 = 0, x2 = 0;
-  for (int i = kQuarters * from + 1; i < kQuarters * to; ++i) {
+  for (int i = kQuarters * from + step_; i < kQuarters * to; i += step_) {
     const double t = parameter_[i], s = 1 - t, b1 = 3 * s * s * t, b2 = 3 * s * t * t;
     const glm::dvec2 rest = quarters_[i].start - a * (s * s * s + b1) - b * (t * t * t + b2);
     c11 += b1 * b1;
@@ -247,23 +273,26 @@ std::optional<Cubic> CurveFitter::least_squares_handles(int from, int to, glm::i
   return Cubic{p0, nearest(a + handles->x * start), nearest(b + handles->y * end), p3};
 }
 
-/// Whether a curve strays from a run no more than it may. Parameters are those of a curve near this one.
-bool CurveFitter::is_near(int from, int to, const Cubic& curve) {
-  if (!improve_parameters(from, to, curve)) return false;
+/// A curve, unless it strays from a run more than it may. Parameters are those of a curve near this one.
+std::optional<Fit> CurveFitter::fit_if_near(int from, int to, const Cubic& curve) {
+  refine_parameters(from, to);
+  if (!improve_parameters(from, to, curve)) return std::nullopt;
   const Polynomial p(curve);
   const auto is_off = [this](glm::dvec2 off) { return !(dot(off, off) <= tolerance_ * tolerance_); };
   glm::dvec2 at(curve.p0), slope = p.slope(0);
+  double area = 0;
   for (int i = kQuarters * from; i < kQuarters * to; ++i) {
     const double third = (parameter_[i + 1] - parameter_[i]) / 3;
     const glm::dvec2 next_at = p.at(parameter_[i + 1]), next_slope = p.slope(parameter_[i + 1]);
     if (is_off(at - quarters_[i].start) || is_off(at + slope * third - quarters_[i].p1) ||
         is_off(next_at - next_slope * third - quarters_[i].p2) || is_off(next_at - quarters_[i + 1].start)) {
-      return false;
+      return std::nullopt;
     }
+    area += length(at - quarters_[i].start) * quarter_length(i);
     at = next_at;
     slope = next_slope;
   }
-  return true;
+  return Fit{curve, area * kSquarePixel};
 }
 
 }  // namespace depixel

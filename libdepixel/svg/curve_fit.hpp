@@ -17,6 +17,12 @@ struct Cubic {
   friend bool operator==(const Cubic&, const Cubic&) = default;
 };
 
+/// A curve that stands for a run of others.
+struct Fit {
+  Cubic curve;
+  double area_px;  ///< roughly, between it and them, in square pixels
+};
+
 /// Whether one curve goes on from another at an angle; curves as short as a point do not.
 bool is_corner(const Cubic& before, const Cubic& after);
 
@@ -41,9 +47,9 @@ class CurveFitter {
 
   /// Fit a curve to the curves from .. to - 1 of the chain; none if that strays too far, which one curve by
   /// itself, as a cubic, never does.
-  std::optional<Cubic> fit_line(int from, int to) const;
-  std::optional<Cubic> fit_quadratic(int from, int to);
-  std::optional<Cubic> fit_cubic(int from, int to);
+  std::optional<Fit> fit_line(int from, int to) const;
+  std::optional<Fit> fit_quadratic(int from, int to);
+  std::optional<Fit> fit_cubic(int from, int to);
 
  private:
   /// A quarter of a curve of the chain, without its end, which is where the next starts.
@@ -59,10 +65,12 @@ class CurveFitter {
   glm::ivec2 snapped(glm::dvec2 point) const;
   glm::ivec2 snapped_start(int from) const { return grid_.snapped(chain_[from].p0); }
   glm::ivec2 snapped_end(int to) const { return grid_.snapped(chain_[to - 1].p3); }
+  double quarter_length(int i) const { return quarters_[i + 1].length_before - quarters_[i].length_before; }
   bool keeps_tangents(int from, int to, glm::dvec2 start, glm::dvec2 end) const;
-  bool is_near(int from, int to, const Cubic& curve);
+  std::optional<Fit> fit_if_near(int from, int to, const Cubic& curve);
   void set_parameters_by_length(int from, int to);
   bool improve_parameters(int from, int to, const Cubic& curve);
+  void refine_parameters(int from, int to);
   std::optional<Cubic> least_squares_quadratic(int from, int to);
   std::optional<Cubic> tangent_quadratic(int from, int to) const;
   glm::dvec2 least_squares_control(int from, int to, glm::dvec2 p0, glm::dvec2 p3) const;
@@ -75,6 +83,7 @@ class CurveFitter {
   std::vector<Quarter> quarters_;  ///< four a curve, and one that starts where the chain ends
   std::vector<Tangents> tangents_;
   std::vector<double> parameter_;  ///< scratch: where a fitted curve is nearest to the start of each quarter
+  int step_ = 1;                   ///< scratch: of how many quarters one has its parameter
 };
 
 }  // namespace depixel

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
-#include <unordered_map>
 
 #include "libdepixel/core/tolerances.hpp"
 
@@ -39,37 +38,6 @@ void append_integer(std::string& out, int value) {
 
 char hex_digit(int value) {
   return "0123456789abcdef"[value];
-}
-
-/// Shapes by colour, in the order in which colours first come; those of a colour stay in their order.
-std::vector<std::vector<const SvgShape*>> grouped_by_colour(const std::vector<SvgShape>& shapes) {
-  std::vector<std::vector<const SvgShape*>> groups;
-  std::unordered_map<std::uint32_t, std::size_t> group_of;
-  for (const SvgShape& shape : shapes) {
-    const auto [found, is_new] =
-        group_of.try_emplace(std::bit_cast<std::uint32_t>(shape.colour), groups.size());
-    if (is_new) groups.emplace_back();
-    groups[found->second].push_back(&shape);
-  }
-  return groups;
-}
-
-/// Appends shapes as paths; those that share a colour are a group that says it once.
-void append_shapes(std::string& out, const std::vector<SvgShape>& shapes, std::string_view data) {
-  for (const auto& group : grouped_by_colour(shapes)) {
-    const bool is_shared = group.size() > 1;
-    const auto open = [&](std::string_view element) {
-      out.append("<").append(element);
-      append_svg_paint(out, "fill", group.front()->colour);
-    };
-    if (is_shared) open("g");
-    if (is_shared) out += ">\n";
-    for (const SvgShape* shape : group) {
-      is_shared ? void(out.append("<path")) : open("path");
-      out.append(" d=\"").append(data.substr(shape->first, shape->count)).append("\"/>\n");
-    }
-    if (is_shared) out += "</g>\n";
-  }
 }
 
 }  // namespace
@@ -216,12 +184,10 @@ void SvgPathData::close() {
   at_ = start_;
 }
 
-void SvgDocument::add_shape(Rgba colour, std::string_view path_data) {
-  if (colour.a < 255) beside_data_ += path_data;
-  if (colour.a == 0) return;
-  std::vector<SvgShape>& shapes = colour.a == 255 ? opaque_ : translucent_;
-  shapes.push_back({colour, data_.size(), path_data.size()});
-  data_ += path_data;
+SvgPathData& SvgDocument::path(Rgba colour) {
+  Shapes*& shapes = of_colour_[std::bit_cast<std::uint32_t>(colour)];
+  if (shapes == nullptr) shapes = &shapes_.emplace_back(colour, grid_);
+  return shapes->path;
 }
 
 std::string SvgDocument::finish() const {
@@ -229,44 +195,38 @@ std::string SvgDocument::finish() const {
   const std::string margin = std::to_string(margin_), origin = " x=\"" + margin + "\" y=\"" + margin + "\"";
   std::string size(" width=\"");
   size.append(width).append("\" height=\"").append(height).append("\"");
-  const bool masked = !opaque_.empty() && !beside_data_.empty();
+  std::string opaque, translucent, beside;
+  for (const Shapes& shapes : shapes_) {
+    if (shapes.colour.a < 255) beside += shapes.data;
+    if (shapes.colour.a == 0) continue;
+    std::string& out = shapes.colour.a == 255 ? opaque : translucent;
+    out += "<path";
+    append_svg_paint(out, "fill", shapes.colour);
+    out.append(" d=\"").append(shapes.data).append("\"/>\n");
+  }
+  const bool masked = !opaque.empty() && !beside.empty();
   std::string svg;
-  svg.reserve(data_.size() + 64 * (opaque_.size() + translucent_.size()) + beside_data_.size() +
-              overlay_.size() + 1024);
+  svg.reserve(opaque.size() + translucent.size() + beside.size() + overlay_.size() + 1024);
   svg.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"");
   svg.append(" xmlns:xlink=\"http://www.w3.org/1999/xlink\"").append(size);
-  svg.append(" viewBox=\"")
-      .append(margin)
-      .append(" ")
-      .append(margin)
-      .append(" ")
-      .append(width)
-      .append(" ")
-      .append(height)
-      .append("\">\n");
-  svg.append("<defs>\n<g id=\"shapes\" fill-rule=\"evenodd\">\n");
-  append_shapes(svg, opaque_, data_);
-  svg.append("</g>\n");
+  svg.append(" viewBox=\"").append(margin).append(" ").append(margin).append(" ").append(width);
+  svg.append(" ").append(height).append("\">
+");
+  svg.append("<defs>\n<g id=\"shapes\">\n").append(opaque).append("</g>\n");
   constexpr std::string_view kCrisp = " shape-rendering=\"crispEdges\"";
   if (masked) {  // its stroke takes away pixels that the silhouette crosses, at scales up to 8
     svg.append("<mask id=\"inside\" maskUnits=\"userSpaceOnUse\"").append(origin).append(size);
-    svg.append(">\n<rect")
-        .append(margin_ > 0 ? origin : "")
-        .append(size)
-        .append(" fill=\"#fff\"/>\n<path")
-        .append(kCrisp);
+    svg.append(">
+<rect").append(margin_ > 0 ? origin : "").append(size);
+    svg.append(" fill=\"#fff\"/>
+<path").append(kCrisp);
     svg.append(" stroke=\"#000\" stroke-width=\".06\" stroke-linejoin=\"round\" d=\"");
-    svg.append(beside_data_).append("\"/>\n</mask>\n");
+    svg.append(beside).append("\"/>\n</mask>\n");
   }
   svg.append("</defs>\n<use xlink:href=\"#shapes\"").append(kCrisp);
   if (masked) svg.append(" mask=\"url(#inside)\"");
   svg.append("/>\n<use xlink:href=\"#shapes\"/>\n");
-  if (!translucent_.empty()) {
-    svg.append("<g fill-rule=\"evenodd\">\n");
-    append_shapes(svg, translucent_, data_);
-    svg.append("</g>\n");
-  }
-  svg.append(overlay_).append("</svg>\n");
+  svg.append(translucent).append(overlay_).append("</svg>\n");
   return svg;
 }
 

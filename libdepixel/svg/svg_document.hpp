@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstdint>
+#include <deque>
 #include <glm/vec2.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
+#include <unordered_map>
 
 #include "libdepixel/core/color.hpp"
 #include "libdepixel/core/lattice.hpp"
@@ -31,6 +33,8 @@ class SvgPathData {
   void close();
   /// Ends a path that stays open.
   void end() { write_line(); }
+  /// Where it is, in thousandths.
+  glm::ivec2 at() const { return at_; }
 
  private:
   void write_line();
@@ -70,13 +74,8 @@ std::optional<glm::ivec2> svg_quadratic_control(glm::ivec2 p0, glm::ivec2 p1, gl
 /// opaque. \param what  "fill" or "stroke".
 void append_svg_paint(std::string& out, std::string_view what, Rgba colour);
 
-/// A shape of a document; its path data is part of a text.
-struct SvgShape {
-  Rgba colour;
-  std::size_t first, count;
-};
-
 /// Gathers shapes that partition a picture, and drawings on top of it, to an SVG document in source pixels.
+/// Shapes of one colour are one path, by the nonzero rule.
 ///
 /// Renderers let the background through where shapes meet. So opaque shapes are defined once and drawn twice:
 /// without anti-aliasing, which leaves no gaps, and with it, on top. Where there is anything else than opaque
@@ -85,21 +84,35 @@ struct SvgShape {
 class SvgDocument {
  public:
   /// Of what a lattice shows; its margin lies outside of the document.
-  explicit SvgDocument(const Lattice& lattice)
-      : width_(lattice.shown_width()), height_(lattice.shown_height()), margin_(lattice.margin()) {}
+  explicit SvgDocument(const Lattice& lattice, SvgGrid grid = {})
+      : width_(lattice.shown_width()),
+        height_(lattice.shown_height()),
+        margin_(lattice.margin()),
+        grid_(grid) {}
 
-  /// A shape, by its path data. Shapes that meet turn the same way round, holes the other way.
-  void add_shape(Rgba colour, std::string_view path_data);
+  /// The path to which shapes of a colour are added; valid as long as the document. All shapes turn the same
+  /// way round, holes the other way.
+  SvgPathData& path(Rgba colour);
   /// Elements on top of all shapes.
   std::string& overlay() { return overlay_; }
 
   std::string finish() const;
 
  private:
+  struct Shapes {
+    Rgba colour;
+    std::string data;
+    SvgPathData path;
+
+    Shapes(Rgba painted, SvgGrid grid) : colour(painted), path(data, grid) {}
+    Shapes(const Shapes&) = delete;
+    Shapes& operator=(const Shapes&) = delete;
+  };
+
   int width_, height_, margin_;
-  std::vector<SvgShape> opaque_, translucent_;
-  std::string data_;         ///< the shapes' path data, one after the other
-  std::string beside_data_;  ///< path data of all that is not opaque
+  SvgGrid grid_;
+  std::deque<Shapes> shapes_;  ///< in the order in which colours first come
+  std::unordered_map<std::uint32_t, Shapes*> of_colour_;
   std::string overlay_;
 };
 

@@ -20,7 +20,7 @@ struct SvgGrid {
     return {};
   }
 
-  /// The nearest coordinates, in thousandths.
+  /// The nearest coordinates, in thousandths. They turn and flip as points do, and go along by whole pixels.
   glm::ivec2 thousandths(glm::ivec2 subpixels) const { return {nearest(subpixels.x), nearest(subpixels.y)}; }
   /// The nearest coordinates, in subpixels, as nearly as these can be told; thousandths() finds them again.
   glm::ivec2 snapped(glm::ivec2 subpixels) const {
@@ -33,9 +33,13 @@ struct SvgGrid {
   static constexpr std::int64_t floor_divided(std::int64_t value, std::int64_t by) {
     return value >= 0 ? value / by : (value - by + 1) / by;
   }
-  int nearest(int subpixels) const {  // halves go up
-    const std::int64_t unit = std::int64_t{kSubpixels} * step;
-    return static_cast<int>(floor_divided(2 * kThousand * std::int64_t{subpixels} + unit, 2 * unit)) * step;
+  /// Halves go to the even multiple: a pixel has an even number of them.
+  int nearest(int subpixels) const {
+    const std::int64_t unit = std::int64_t{kSubpixels} * step,
+                       twice = 2 * kThousand * std::int64_t{subpixels};
+    const std::int64_t up = floor_divided(twice + unit, 2 * unit);
+    const bool is_half = twice + unit == 2 * unit * up;
+    return static_cast<int>(is_half && up % 2 != 0 ? up - 1 : up) * step;
   }
   static int to_subpixels(int thousandths) {
     return static_cast<int>(

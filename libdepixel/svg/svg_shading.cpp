@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "libdepixel/svg/soft_groups.hpp"
 #include "libdepixel/svg/svg_document.hpp"
 
 namespace depixel {
@@ -19,7 +20,7 @@ struct Stop {
 };
 constexpr std::array<Stop, 4> kFading{{{"0", "1"}, {".33", ".6"}, {".67", ".12"}, {"1", "0"}}};
 /// In pixels: as soft as the mixture between two centres is.
-constexpr std::string_view kDeviation = ".45";
+constexpr std::string_view kDeviation = ".35";
 
 std::string colour_name(Rgba colour) {
   std::string name;
@@ -30,9 +31,18 @@ std::string colour_name(Rgba colour) {
 
 class ShadingWriter {
  public:
-  ShadingWriter(const PlanarMap& map, const Components& components, const std::vector<std::string>& path_data,
+  ShadingWriter(const PlanarMap& map, const Components& components, const ComponentPath& append_path,
                 std::string& out)
-      : map_(map), path_data_(path_data), label_(components.label), out_(out) {}
+      : map_(map), append_path_(append_path), label_(components.label), out_(out) {
+    const std::vector<int> group = find_soft_groups(map, components);
+    members_.resize(components.count);
+    for (int c = 0; c < components.count; ++c) members_[group[c]].push_back(c);
+    group_.assign(label_.size(), kNone);
+    for (std::size_t i = 0; i < label_.size(); ++i) {
+      if (label_[i] >= 0) group_[i] = group[label_[i]];
+    }
+    seen_in_.assign(label_.size(), kNone);
+  }
 
   void write() {
     find_own();
@@ -46,8 +56,8 @@ class ShadingWriter {
     out_ += "</defs>\n";
     for (auto from = pixels_.begin(); from != pixels_.end();) {
       const auto to =
-          std::find_if(from, pixels_.end(), [&](const Pixel& p) { return p.component != from->component; });
-      start_component(from->component);
+          std::find_if(from, pixels_.end(), [&](const Pixel& p) { return p.group != from->group; });
+      define_clip(from->group);
       is_gradient ? put_discs({from, to}) : put_blurred({from, to});
       out_ += "</g>\n";
       from = to;
@@ -56,9 +66,11 @@ class ShadingWriter {
   }
 
  private:
+  static constexpr int kNone = -1;
+
   struct Pixel {
-    int component;  ///< in which it is seen
-    bool is_own;    ///< it lies there, not beyond a soft contour
+    int group;    ///< in which it is seen
+    bool is_own;  ///< it lies there, not beyond a soft contour
     int index;
 
     friend auto operator<=>(const Pixel&, const Pixel&) = default;
@@ -69,7 +81,7 @@ class ShadingWriter {
     for (int y = 0; y < lattice.height(); ++y) {
       for (int i = lattice.pixel(0, y), end = i + lattice.width(); i < end; ++i) {
         if (map_.colours[i].a != 255 || !map_.shading.is_shaded(i, lattice.stride())) continue;
-        pixels_.push_back({label_[i], true, i});
+        pixels_.push_back({group_[i], true, i});
       }
     }
   }
@@ -83,9 +95,9 @@ class ShadingWriter {
         for (const PixelPair& pair : kPixelPairs) {
           if ((map_.shading.blocks[block] & pair.bit) == 0) continue;
           const int a = block + offset[pair.a], b = block + offset[pair.b];
-          if (label_[a] == label_[b] || map_.colours[a].a != 255) continue;
-          pixels_.push_back({label_[a], false, b});
-          pixels_.push_back({label_[b], false, a});
+          if (group_[a] == group_[b] || map_.colours[a].a != 255) continue;
+          pixels_.push_back({group_[a], false, b});
+          pixels_.push_back({group_[b], false, a});
         }
       }
     }
@@ -117,17 +129,21 @@ class ShadingWriter {
     out_.append("<feGaussianBlur stdDeviation=\"").append(kDeviation).append("\"/></filter>\n");
   }
 
-  void start_component(int component) {
-    const std::string name = std::to_string(component);
-    out_.append("<clipPath id=\"c").append(name).append("\"><path clip-rule=\"evenodd\" d=\"");
-    out_.append(path_data_[component])
-        .append("\"/></clipPath>\n<g clip-path=\"url(#c")
-        .append(name)
-        .append(")\">\n");
+  void define_clip(int group) {
+    out_.append("<clipPath id=\"c").append(std::to_string(group)).append("\"><path d=\"");
+    SvgPathData path(out_, append_path_.grid);
+    for (const int component : members_[group]) append_path_.append(component, path);
+    out_ += "\"/></clipPath>\n";
+  }
+
+  void start_clipped(int group) {
+    out_.append("<g clip-path=\"url(#c").append(std::to_string(group)).append(")\"");
   }
 
   /// On squares of the same colours, for discs let something through.
   void put_discs(std::span<const Pixel> pixels) {
+    start_clipped(pixels.front().group);
+    out_ += ">\n";
     put_squares(pixels, 0);
     for (const Pixel& pixel : pixels) {
       const glm::ivec2 at = map_.lattice.pixel_position(pixel.index);
@@ -142,52 +158,69 @@ class ShadingWriter {
 
   /// What lies beyond a sharp contour takes part in the blur, and is what is nearest inside.
   void put_blurred(std::span<const Pixel> pixels) {
-    out_ += "<g filter=\"url(#blur)\">\n";
-    const auto own = std::find_if(pixels.begin(), pixels.end(), [](const Pixel& p) { return p.is_own; });
-    put_squares({own, pixels.end()}, 1);
+    start_clipped(pixels.front().group);
+    out_ += " filter=\"url(#blur)\">\n";
+    put_squares(edge_pixels(pixels), 1);
     put_squares(pixels, 0);
+  }
+
+  /// Those of a group's own pixels beside which there is one that the group does not see.
+  std::vector<Pixel> edge_pixels(std::span<const Pixel> pixels) {
+    for (const Pixel& pixel : pixels) seen_in_[pixel.index] = pixel.group;
+    std::vector<Pixel> edge;
+    const int stride = map_.lattice.stride();
+    for (const Pixel& pixel : pixels) {
+      const auto is_unseen = [&](int i) { return seen_in_[i] != pixel.group; };
+      bool is_edge = false;
+      for (const int row : {pixel.index - stride, pixel.index, pixel.index + stride}) {
+        is_edge = is_edge || is_unseen(row - 1) || is_unseen(row) || is_unseen(row + 1);
+      }
+      if (pixel.is_own && is_edge) edge.push_back(pixel);
+    }
+    return edge;
+  }
+
+  /// Rows of squares of one colour are thick lines. \param margin  in pixels, round each square.
+  void put_squares(std::span<const Pixel> pixels, int margin) {
+    std::map<std::uint32_t, std::vector<int>> by_colour;
+    for (const Pixel& pixel : pixels) by_colour[rgba_order(shade(pixel))].push_back(pixel.index);
+    if (by_colour.empty()) return;
+    out_.append("<g stroke-width=\"").append(std::to_string(1 + 2 * margin)).append("\">\n");
+    for (auto& [order, same] : by_colour) {
+      std::sort(same.begin(), same.end());
+      out_ += "<path";
+      append_svg_paint(out_, "stroke", map_.shading.shades[same.front()]);
+      out_ += " d=\"";
+      SvgPathData path(out_);
+      for (std::size_t i = 0; i < same.size();) {
+        const std::size_t first = i++;
+        while (i < same.size() && same[i] == same[i - 1] + 1) ++i;
+        const glm::ivec2 from = map_.lattice.pixel_position(same[first]) * kSubpixels;
+        const int length = static_cast<int>(i - first) + margin;
+        path.move_to(from + glm::ivec2(-margin * kSubpixels, kSubpixels / 2));
+        path.line_to(from + glm::ivec2(length * kSubpixels, kSubpixels / 2));
+      }
+      path.end();
+      out_ += "\"/>\n";
+    }
     out_ += "</g>\n";
   }
 
-  void put_squares(std::span<const Pixel> pixels, int margin) {
-    std::map<std::uint32_t, std::vector<Pixel>> by_colour;
-    for (const Pixel& pixel : pixels) by_colour[rgba_order(shade(pixel))].push_back(pixel);
-    for (const auto& [order, same] : by_colour) {
-      out_ += "<path";
-      append_svg_paint(out_, "fill", shade(same.front()));
-      out_ += " d=\"";
-      for (std::size_t i = 0; i < same.size();) {
-        const std::size_t first = i++;
-        while (i < same.size() && same[i].index == same[i - 1].index + 1) ++i;
-        put_run(same[first].index, static_cast<int>(i - first), margin);
-      }
-      out_ += "\"/>\n";
-    }
-  }
-
-  void put_run(int first, int count, int margin) {
-    const glm::ivec2 from = map_.lattice.pixel_position(first) - margin;
-    const glm::ivec2 size = glm::ivec2(count, 1) + 2 * margin;
-    SvgPathData path(out_);
-    path.move_to(from * kSubpixels);
-    path.line_to((from + glm::ivec2(size.x, 0)) * kSubpixels);
-    path.line_to((from + size) * kSubpixels);
-    path.line_to((from + glm::ivec2(0, size.y)) * kSubpixels);
-    path.close();
-  }
-
   const PlanarMap& map_;
-  const std::vector<std::string>& path_data_;
+  const ComponentPath& append_path_;
   const std::vector<int>& label_;
+  std::vector<std::vector<int>> members_;  ///< the components of each group
+  std::vector<int> group_;                 ///< of each pixel
+  std::vector<int> seen_in_;               ///< a group that sees a pixel
   std::vector<Pixel> pixels_;
   std::string& out_;
 };
 
 }  // namespace
 
-void append_svg_shading(const PlanarMap& map, const Components& components,
-                        const std::vector<std::string>& path_data, std::string& out) {
-  if (map.shading.any) ShadingWriter(map, components, path_data, out).write();
+void append_svg_shading(const PlanarMap& map, const Components& components, const ComponentPath& append_path,
+                        std::string& out) {
+  if (map.shading.any) ShadingWriter(map, components, append_path, out).write();
 }
 
 }  // namespace depixel

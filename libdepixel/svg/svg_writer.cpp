@@ -15,7 +15,7 @@ class LoopPath {
       : pieces_(outlines.pieces.data() + loop.first), count_(loop.count), grid_(grid) {}
 
   void append_to(SvgPathData& path) const {
-    const int start = shortest_start();
+    const int start = shortest_start(path.at());
     path.move_to(start_of(start));
     for (int i = 0; i < count_; ++i) {
       const OutlinePiece& piece = pieces_[(start + i) % count_];
@@ -32,10 +32,10 @@ class LoopPath {
   glm::ivec2 start_of(int piece) const { return pieces_[(piece + count_ - 1) % count_].p3; }
 
   /// Where it is short to start: at a point that is, and after a line, which closing the path draws.
-  int shortest_start() const {
+  int shortest_start(glm::ivec2 at) const {
     int best = 0, least = std::numeric_limits<int>::max();
     for (int i = 0; i < count_; ++i) {
-      const int cost = svg_length(grid_.thousandths(start_of(i))) - length_of_line_before(i);
+      const int cost = svg_length(grid_.thousandths(start_of(i)) - at) - length_of_line_before(i);
       if (cost < least) {
         best = i;
         least = cost;
@@ -67,7 +67,7 @@ void append_components(const PlanarMap& map, const SimilarityGraph& graph, doubl
   Outlines outlines;
   trace_outlines(map, graph, components, outlines);
   const SvgGrid grid = SvgGrid::within(tolerance_px);
-  if (tolerance_px > 0) simplify_outlines(tolerance_px, grid, outlines);
+  if (tolerance_px > 0) simplify_outlines(map, tolerance_px, grid, outlines);
   std::vector<Rgba> colour(components.count);
   const Lattice& lattice = map.lattice;
   for (int y = 0; y < lattice.height(); ++y) {
@@ -75,19 +75,17 @@ void append_components(const PlanarMap& map, const SimilarityGraph& graph, doubl
       colour[components.label[i]] = map.colours[i];
     }
   }
-  std::vector<std::string> data(components.count);
-  for (int c = 0; c < components.count; ++c) {
-    SvgPathData path(data[c], grid);
-    for (int i = outlines.first_loop[c]; i < outlines.first_loop[c + 1]; ++i) {
+  const auto append = [&](int component, SvgPathData& path) {
+    for (int i = outlines.first_loop[component]; i < outlines.first_loop[component + 1]; ++i) {
       LoopPath(outlines, outlines.loops[i], grid).append_to(path);
     }
-    document.add_shape(colour[c], data[c]);
-  }
-  append_svg_shading(map, components, data, document.overlay());
+  };
+  for (int c = 0; c < components.count; ++c) append(c, document.path(colour[c]));
+  append_svg_shading(map, components, {grid, append}, document.overlay());
 }
 
 std::string write_svg(const PlanarMap& map, const SimilarityGraph& graph, double tolerance_px) {
-  SvgDocument document(map.lattice);
+  SvgDocument document(map.lattice, SvgGrid::within(tolerance_px));
   append_components(map, graph, tolerance_px, document);
   return document.finish();
 }

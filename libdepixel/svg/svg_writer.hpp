@@ -8,8 +8,8 @@
 
 namespace depixel {
 
-/// Writes a planar map as an SVG document: one path a component, with holes by the even-odd rule; viewBox,
-/// width and height in source pixels. Transparent components are left out. Where the map is
+/// Writes a planar map as an SVG document: one path a colour, with holes by the nonzero rule; viewBox, width
+/// and height in source pixels. Transparent components are left out. Where the map is
 /// shaded, shadings are drawn on top (svg_shading.hpp).
 /// \param graph  the resolved similarity graph that the map was made from.
 /// \param tolerance_px  how far contours may stray from the map's so that they take fewer and shorter curves,

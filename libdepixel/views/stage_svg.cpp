@@ -7,17 +7,14 @@ namespace {
 void append_cells(const StageDrawing& drawing, SvgDocument& document) {
   const Lattice& lattice = drawing.fill.lattice;
   std::vector<glm::ivec2> polygon;
-  std::string data;
   for (int y = 0; y < lattice.height(); ++y) {
     for (int x = 0; x < lattice.width(); ++x) {
       const int pixel = lattice.pixel(x, y);
       find_cell_polygon(drawing.graph, *drawing.cells, pixel, polygon);
-      data.clear();
-      SvgPathData path(data);
+      SvgPathData& path = document.path(drawing.fill.colours[pixel]);
       path.move_to(polygon.front());
       for (std::size_t i = 1; i < polygon.size(); ++i) path.line_to(polygon[i]);
       path.close();
-      document.add_shape(drawing.fill.colours[pixel], data);
     }
   }
 }

@@ -2,9 +2,11 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <system_error>
 
 #include "tests/support/test_pictures.hpp"
 
@@ -151,6 +153,22 @@ std::string quoted(const std::filesystem::path& file) {
   return "'" + file.string() + "'";
 }
 
+/// A folder of this process, as long as it is needed.
+struct ScratchFolder {
+  std::filesystem::path path;
+
+  explicit ScratchFolder(const std::string& name)
+      : path(std::filesystem::absolute(output_folder()) / (name + "-" + std::to_string(getpid()))) {
+    std::filesystem::create_directories(path);
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+};
+
 }  // namespace
 
 bool is_inside(glm::dvec2 point, const std::vector<Polygon>& polygons) {
@@ -196,16 +214,50 @@ std::vector<SvgPath> filled_paths(const pugi::xml_document& document) {
 }
 
 Picture draw_with_rsvg(const std::string& svg, int width, int height) {
-  const std::filesystem::path folder = output_folder() / ("rsvg-" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder);
-  const std::filesystem::path in = folder / "in.svg", out = folder / "out.png";
+  const ScratchFolder folder("rsvg");
+  const std::filesystem::path in = folder.path / "in.svg", out = folder.path / "out.png";
   std::ofstream(in) << svg;
   const std::string command = "rsvg-convert -w " + std::to_string(width) + " -h " + std::to_string(height) +
                               " -o " + quoted(out) + " " + quoted(in);
-  Picture picture;
-  if (std::system(command.c_str()) == 0) picture = load_picture(out);
-  std::filesystem::remove_all(folder);
-  return picture;
+  return std::system(command.c_str()) == 0 ? load_picture(out) : Picture{};
+}
+
+bool has_chromium() {
+  return std::system("command -v chromium >/dev/null") == 0;
+}
+
+/// A page shows the documents one below the other; its picture is cut.
+std::vector<Picture> draw_with_chromium(const std::vector<SvgToDraw>& documents) {
+  const ScratchFolder folder("chromium");
+  const std::filesystem::path out = folder.path / "out.png";
+  std::ofstream page(folder.path / "page.html");
+  page << "<!DOCTYPE html><style>*{margin:0}img{display:block}</style>";
+  int width = 0, height = 0;
+  for (const SvgToDraw& document : documents) {
+    const std::string name = std::to_string(height) + ".svg";
+    std::ofstream(folder.path / name) << document.svg;
+    page << "<img src=" << name << " width=" << document.width << " height=" << document.height << ">";
+    width = std::max(width, document.width);
+    height += document.height;
+  }
+  page.close();
+  const std::string command =
+      "timeout 100 chromium --headless --no-sandbox --disable-gpu --hide-scrollbars "
+      "--force-device-scale-factor=1 --default-background-color=00000000 --user-data-dir=" +
+      quoted(folder.path / "profile") + " --window-size=" + std::to_string(width) + "," +
+      std::to_string(height) + " --screenshot=" + quoted(out) + " file://" +
+      quoted(folder.path / "page.html") + " >/dev/null 2>&1";
+  if (std::system(command.c_str()) != 0) return {};
+  const Picture all = load_picture(out);
+  if (all.width != width || all.height != height) return {};
+  std::vector<Picture> pictures;
+  int top = 0;
+  for (const SvgToDraw& document : documents) {
+    pictures.emplace_back(document.width, document.height);
+    paste(pictures.back(), all, 0, -top);
+    top += document.height;
+  }
+  return pictures;
 }
 
 }  // namespace depixel::test

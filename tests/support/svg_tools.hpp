@@ -43,4 +43,15 @@ std::vector<SvgPath> filled_paths(const pugi::xml_document& document);
 /// Draws an SVG document with rsvg-convert, stretched to a size; an empty picture if that fails.
 Picture draw_with_rsvg(const std::string& svg, int width, int height);
 
+/// Whether Chromium is installed, under the name that Debian gives it.
+bool has_chromium();
+
+/// An SVG document and the size that it is drawn at.
+struct SvgToDraw {
+  std::string svg;
+  int width = 0, height = 0;
+};
+/// Draws SVG documents with Chromium, without a display, all in one start of it; no pictures if that fails.
+std::vector<Picture> draw_with_chromium(const std::vector<SvgToDraw>& documents);
+
 }  // namespace depixel::test

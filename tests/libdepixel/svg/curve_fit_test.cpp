@@ -74,8 +74,10 @@ TEST(CurveFitter, FitsALineToWhatIsNearlyStraight) {
       {straight(hundredths(0, 0), hundredths(100, 2)), straight(hundredths(100, 2), hundredths(300, 0))});
   const auto line = run.fitter.fit_line(0, 2);
   ASSERT_TRUE(line);
-  EXPECT_TRUE(is_svg_line(line->p0, line->p1, line->p2, line->p3));
-  EXPECT_EQ(line->p3, run.chain.back().p3);
+  const Cubic& c = line->curve;
+  EXPECT_TRUE(is_svg_line(c.p0, c.p1, c.p2, c.p3));
+  EXPECT_EQ(c.p3, run.chain.back().p3);
+  EXPECT_NEAR(line->area_px, 0.03, 0.01);  // of a triangle 3 pixels wide and 0.02 high
 }
 
 TEST(CurveFitter, FitsNoLineToWhatIsTooFarOff) {
@@ -106,7 +108,8 @@ TEST(CurveFitter, FitsAQuadraticCurveToABend) {
   Fitting run(arc(150, 0.8, 4));
   const auto curve = run.fitter.fit_quadratic(0, 4);
   ASSERT_TRUE(curve);
-  EXPECT_TRUE(svg_quadratic_control(curve->p0, curve->p1, curve->p2, curve->p3));
+  const Cubic& c = curve->curve;
+  EXPECT_TRUE(svg_quadratic_control(c.p0, c.p1, c.p2, c.p3));
 }
 
 TEST(CurveFitter, FitsACubicCurveToAThirdOfACircle) {
@@ -115,7 +118,8 @@ TEST(CurveFitter, FitsACubicCurveToAThirdOfACircle) {
   ASSERT_TRUE(curve);
   EXPECT_FALSE(run.fitter.fit_quadratic(0, 9));
   Polygon points;
-  append_curve(curve->p0, curve->p1, curve->p2, curve->p3, points);
+  const Cubic& c = curve->curve;
+  append_curve(c.p0, c.p1, c.p2, c.p3, points);
   for (const glm::dvec2 p : points) {
     EXPECT_NEAR(std::hypot(p.x, p.y) / kSubpixels, 4.0, kTolerance);
   }

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <set>
+#include <utility>
 
 #include "libdepixel/pipeline/vectorizer.hpp"
 #include "libdepixel/raster/cpu_raster.hpp"
@@ -124,15 +126,15 @@ TEST(SvgPathData, NumbersAreSeparatedOnlyWhereTheyMustBe) {
             "M.5.25l.5.75 2 .5zm.5-1.25 1 2");
 }
 
-TEST(SvgWriter, ColoursAreSaidOnceAGroup) {
+TEST(SvgWriter, ColoursAreSaidOnce) {
   const Written written(ascii_picture({"#r#", "...", "#g#"}));
-  EXPECT_EQ(written.document.select_nodes("//g[@fill='#000']/path").size(), 4u);
+  EXPECT_EQ(written.document.select_nodes("//path[@fill='#000']").size(), 1u);
   EXPECT_EQ(written.document.select_nodes("//path[@fill='#dc1e1e']").size(), 1u);
   EXPECT_EQ(written.document.select_nodes("//path[@fill='#fff']").size(), 1u);
 }
 
 TEST(SvgWriter, ToleranceMakesFilesSmallerAndPicturesNoWorse) {
-  constexpr double kMostDifference = 0.3, kMostBytes = 0.5;
+  constexpr double kMostDifference = 0.3, kMostBytes = 0.4;
   const Picture picture = load_picture(data_folder() / "frames" / "alex4_0036.png");
   const Written exact(picture, {}, 0), simplified(picture);
   EXPECT_LT(double(simplified.svg.size()), kMostBytes * double(exact.svg.size()));
@@ -162,7 +164,6 @@ TEST(SvgWriter, DrawsOpaqueShapesTwiceAndOthersOnce) {
   EXPECT_STREQ(uses[1].node().attribute("shape-rendering").value(), "");
   EXPECT_STREQ(uses[1].node().attribute("mask").value(), "");
   EXPECT_EQ(written.document.select_nodes("//path[@fill-opacity='.502']").size(), 1u);
-  EXPECT_EQ(written.document.select_nodes("//path[ancestor::g/@fill-rule='evenodd']").size(), 3u);
 }
 
 TEST(SvgWriter, MasksOnlyWhatHasASilhouette) {
@@ -174,14 +175,16 @@ TEST(SvgWriter, MasksOnlyWhatHasASilhouette) {
   EXPECT_TRUE(nothing.document.select_nodes("//mask").empty());
 }
 
-RC_GTEST_PROP(SvgWriter, OnePathAComponent, (const Picture& picture)) {
+RC_GTEST_PROP(SvgWriter, OnePathAColour, (const Picture& picture)) {
   const Written written(picture, *random_options());
   Components components;
   label_components(written.vectorizer.graph(), components);
   find_majority_colours(written.vectorizer.graph(), components);
-  const auto visible =
-      std::count_if(components.colour.begin(), components.colour.end(), [](Rgba c) { return c.a > 0; });
-  RC_ASSERT(static_cast<std::ptrdiff_t>(written.paths.size()) == visible);
+  std::set<std::uint32_t> visible;
+  for (const Rgba c : components.colour) {
+    if (c.a > 0) visible.insert(rgba_order(c));
+  }
+  RC_ASSERT(written.paths.size() == visible.size());
 }
 
 RC_GTEST_PROP(SvgWriter, AreasAddUpToTheFrameToTheLastDigit, ()) {
@@ -207,16 +210,21 @@ RC_GTEST_PROP(SvgWriter, PixelCentresHaveTheirColour, ()) {
   }
 }
 
-/// True by a pixel that is neither opaque nor transparent: alpha may be rounded up to opaque there.
-bool is_by_translucency(const Picture& picture, int x, int y) {
-  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, picture.height - 1); ++v) {
-    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, picture.width - 1); ++u) {
-      const int alpha = picture.at(u, v).a;
+/// True in the source pixels round one that is neither opaque nor transparent, where alpha may be rounded up
+/// to opaque, and beside output pixels that are not covered wholly: curves may stray half a pixel from there.
+bool may_be_seen_through(const Picture& picture, const Picture& raster, int x, int y) {
+  const int u = x / kScale, v = y / kScale;
+  for (int dy = -1; dy <= 1; ++dy) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      if (raster.contains(x + dx, y + dy) && raster.at(x + dx, y + dy).a != 255) return true;
+      if (!picture.contains(u + dx, v + dy)) continue;
+      const int alpha = picture.at(u + dx, v + dy).a;
       if (alpha > 0 && alpha < 255) return true;
     }
   }
   return false;
 }
+static_assert(kScale * kSvgTolerance <= 0.5);
 
 /// Empty if rsvg-convert's picture is what the rasteriser's is, else what differs.
 std::string rsvg_mismatch(const Picture& picture, const Options& options, double mean_tolerance = 2.0,
@@ -229,18 +237,24 @@ std::string rsvg_mismatch(const Picture& picture, const Options& options, double
   if (difference.mean > mean_tolerance) return "mean difference " + std::to_string(difference.mean);
   for (int y = 0; y < expected.height; ++y) {
     for (int x = 0; x < expected.width; ++x) {
-      if (expected.at(x, y).a != 255 || drawn.at(x, y).a == 255) continue;
-      if (is_by_translucency(picture, x / kScale, y / kScale)) continue;
+      if (drawn.at(x, y).a == 255 || may_be_seen_through(picture, expected, x, y)) continue;
       return "see-through at " + std::to_string(x) + ", " + std::to_string(y);
     }
   }
   return "";
 }
 
+/// The middle of a picture: enough to see of a whole frame.
+Picture middle(const Picture& picture) {
+  Picture part(std::min(picture.width, 160), std::min(picture.height, 100));
+  paste(part, picture, (part.width - picture.width) / 2, (part.height - picture.height) / 2);
+  return part;
+}
+
 TEST(SvgWriter, RsvgDrawsRealPicturesAsTheRasterDoes) {
   for (const char* folder : {"sprites", "frames"}) {
     for (const auto& file : std::filesystem::directory_iterator(data_folder() / folder)) {
-      EXPECT_EQ(rsvg_mismatch(load_picture(file.path()), {}), "") << file.path();
+      EXPECT_EQ(rsvg_mismatch(middle(load_picture(file.path())), {}), "") << file.path();
     }
   }
 }
@@ -257,34 +271,27 @@ RC_GTEST_PROP(SvgWriter, RsvgDrawsSmallPicturesNearly, ()) {
   if (!mismatch.empty()) RC_FAIL(mismatch);
 }
 
-TEST(SvgWriter, RsvgDrawsShadingsNearly) {
-  // Discs and blurred squares come near to the raster's mixtures, and nearer than components of one colour
-  // do.
-  const Picture picture = load_picture(data_folder() / "sprites" / "minetest_game_default_apple.png");
-  for (const Options& options : {Options{.similarity = Similarity::merge, .shading = ShadingKind::gradient},
-                                 Options{.similarity = Similarity::merge, .shading = ShadingKind::blur},
-                                 Options{.soft_contours = 40}}) {
-    const Written written(picture, options);
-    const Picture expected = premultiplied(written.raster());
-    const auto error = [&](const std::string& svg) {
-      return compare(expected, premultiplied(draw_with_rsvg(svg, expected.width, expected.height))).mean;
-    };
-    const std::string::size_type shading = written.svg.find("<g id=\"shading\">");
-    ASSERT_NE(shading, std::string::npos);
-    EXPECT_LT(error(written.svg), 0.7 * error(written.svg.substr(0, shading) + "</svg>\n"))
-        << static_cast<int>(options.shading);
-  }
-}
-
 TEST(SvgWriter, RsvgDrawsTranslucentShapes) {
   EXPECT_EQ(rsvg_mismatch(ascii_picture({"RRRR____", "RRRR_##_", "GGGG_##_", "GG..____"}), {}), "");
 }
 
+/// Of pictures of a few pixels, where curves stray most is much.
 TEST(SvgWriter, RsvgDrawsSilhouettesWithTheirCoverage) {
   const Options adaptive{.spline = SplineKind::adaptive};
-  constexpr double kMean = 2.0;
-  EXPECT_EQ(rsvg_mismatch(ascii_picture({"_..", "._.", "_.."}), adaptive, kMean, 0), "");
-  EXPECT_EQ(rsvg_mismatch(ascii_picture({"_.", "._", "_.", ".."}), adaptive, kMean, 0), "");
+  for (const auto& [tolerance_px, mean] : {std::pair{0.0, 2.0}, std::pair{kSvgTolerance, 3.0}}) {
+    EXPECT_EQ(rsvg_mismatch(ascii_picture({"_..", "._.", "_.."}), adaptive, mean, tolerance_px), "");
+    EXPECT_EQ(rsvg_mismatch(ascii_picture({"_.", "._", "_.", ".."}), adaptive, mean, tolerance_px), "");
+  }
+}
+
+/// Chains are simplified alike wherever they lie and however they are turned; only where a path starts
+/// depends on that.
+RC_GTEST_PROP(SvgWriter, FlipsAndTurnsTakeAsMuch, ()) {
+  constexpr double kPart = 0.1;
+  const Picture picture = *random_picture({.colours = ".#r"});
+  const auto size = double(Written(picture).svg.size());
+  const Symmetry symmetry = *rc::gen::elementOf(kSymmetries);
+  RC_ASSERT(std::abs(double(Written(symmetry(picture)).svg.size()) - size) <= kPart * size);
 }
 
 }  // namespace

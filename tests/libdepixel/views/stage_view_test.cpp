@@ -171,12 +171,11 @@ RC_GTEST_PROP(StageView, SvgIsWellFormedXml, (const Picture& in)) {
 RC_GTEST_PROP(StageView, BuffersCanBeUsedAgain, (const Picture& first, const Picture& second)) {
   Vectorizer vectorizer;
   StageDrawing drawing;
-  for (const StageView before : all_views()) {
-    for (const StageView view : all_views()) {
-      make_stage_drawing(before, first.view(), {}, vectorizer, drawing);
-      make_stage_drawing(view, second.view(), {}, vectorizer, drawing);
-      RC_ASSERT(write_stage_svg(drawing) == write_stage_svg(make_stage_drawing(view, second.view(), {})));
-    }
+  for (const StageView view : all_views()) {
+    const StageView before = *rc::gen::elementOf(all_views());
+    make_stage_drawing(before, first.view(), {}, vectorizer, drawing);
+    make_stage_drawing(view, second.view(), {}, vectorizer, drawing);
+    RC_ASSERT(write_stage_svg(drawing) == write_stage_svg(make_stage_drawing(view, second.view(), {})));
   }
 }
 

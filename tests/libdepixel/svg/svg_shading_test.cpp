@@ -1,0 +1,98 @@
+#include "libdepixel/svg/svg_shading.hpp"
+
+#include <gtest/gtest.h>
+
+#include "libdepixel/pipeline/vectorizer.hpp"
+#include "libdepixel/raster/cpu_raster.hpp"
+#include "libdepixel/svg/svg_writer.hpp"
+#include "tests/support/svg_tools.hpp"
+#include "tests/support/test_pictures.hpp"
+
+namespace depixel::test {
+namespace {
+
+constexpr int kScale = 8;
+
+/// A picture with shaded regions, as the rasteriser draws it, and as SVG.
+struct Shaded {
+  std::string name;
+  Picture raster;
+  std::string svg;
+  std::string flat_svg;  ///< without what makes colours run
+
+  Shaded(const char* file, const char* kind, const Options& options) : name(std::string(file) + " " + kind) {
+    const Picture picture = load_picture(data_folder() / "sprites" / file);
+    Vectorizer vectorizer;
+    const PlanarMap& map = vectorizer.vectorize(picture.view(), options);
+    raster = Picture(picture.width * kScale, picture.height * kScale);
+    CpuRaster().draw(map, View::fit(map.lattice, raster.width, raster.height), false, 1, raster.target());
+    raster = premultiplied(raster);
+    svg = write_svg(map, vectorizer.graph());
+    flat_svg = svg.substr(0, svg.find("<g id=\"shading\">")) + "</svg>\n";
+  }
+  double error(const Picture& drawn) const { return compare(raster, premultiplied(drawn)).mean; }
+};
+
+/// Gradients, blurs and soft contours, all within clips.
+std::vector<Shaded> shaded_pictures() {
+  std::vector<Shaded> pictures;
+  for (const char* file : {"minetest_game_default_apple.png", "minetest_game_bucket_lava.png"}) {
+    const auto add = [&](const char* kind, const Options& options) {
+      pictures.emplace_back(file, kind, options);
+    };
+    add("gradient", {.similarity = Similarity::merge, .shading = ShadingKind::gradient});
+    add("blur", {.similarity = Similarity::merge, .shading = ShadingKind::blur});
+    add("soft", {.soft_contours = 40});
+  }
+  return pictures;
+}
+
+/// Discs and blurred squares come near to the raster's mixtures, and nearer than components of one colour do.
+constexpr double kMostError = 3.0, kPartOfFlat = 0.75;
+
+TEST(SvgShading, RsvgDrawsItNearly) {
+  for (const Shaded& shaded : shaded_pictures()) {
+    const auto drawn = [&](const std::string& svg) {
+      return draw_with_rsvg(svg, shaded.raster.width, shaded.raster.height);
+    };
+    EXPECT_LT(shaded.error(drawn(shaded.svg)), kMostError) << shaded.name;
+    EXPECT_LT(shaded.error(drawn(shaded.svg)), kPartOfFlat * shaded.error(drawn(shaded.flat_svg)))
+        << shaded.name;
+  }
+}
+
+TEST(SvgShading, ChromiumDrawsItNearly) {
+  if (!has_chromium()) GTEST_SKIP() << "there is no chromium; Debian's package is called so";
+  const std::vector<Shaded> pictures = shaded_pictures();
+  std::vector<SvgToDraw> documents;
+  for (const Shaded& shaded : pictures) {
+    documents.push_back({shaded.svg, shaded.raster.width, shaded.raster.height});
+    documents.push_back({shaded.flat_svg, shaded.raster.width, shaded.raster.height});
+  }
+  const std::vector<Picture> drawn = draw_with_chromium(documents);
+  ASSERT_EQ(drawn.size(), documents.size());
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    EXPECT_LT(pictures[i].error(drawn[2 * i]), kMostError) << pictures[i].name;
+    EXPECT_LT(pictures[i].error(drawn[2 * i]), kPartOfFlat * pictures[i].error(drawn[2 * i + 1]))
+        << pictures[i].name;
+  }
+}
+
+/// One clipping path will do for colours that all run into each other.
+TEST(SvgShading, BlendingComponentsShareAClip) {
+  Picture ramp(12, 12);
+  for (int y = 0; y < 12; ++y) {
+    for (int x = 0; x < 12; ++x) {
+      const auto level = static_cast<std::uint8_t>(100 + 2 * x + 2 * y);
+      ramp.at(x, y) = {level, level, level, 255};
+    }
+  }
+  Vectorizer vectorizer;
+  vectorizer.vectorize(ramp.view(), Options{.soft_contours = 20});
+  const std::string svg = write_svg(vectorizer.map(), vectorizer.graph());
+  EXPECT_NE(svg.find("<clipPath"), std::string::npos);
+  EXPECT_EQ(svg.find("<clipPath"), svg.rfind("<clipPath"));
+}
+
+}  // namespace
+}  // namespace depixel::test
