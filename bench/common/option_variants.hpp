@@ -32,6 +32,7 @@ inline constexpr std::array kOptionVariants{
                     o.shading = ShadingKind::blur;
                   }},
     OptionVariant{"soft contours 20", [](Options& o) { o.soft_contours = 20; }},
+    OptionVariant{"round corners", [](Options& o) { o.corners = Corners::round; }},
     OptionVariant{"continuity", [](Options& o) { o.curve_rule = CurveRule::continuity; }},
     OptionVariant{"connect lines", [](Options& o) { o.connect_lines = true; }},
     OptionVariant{"linear light", [](Options& o) { o.linear_light = true; }},

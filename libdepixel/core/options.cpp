@@ -8,6 +8,7 @@ namespace {
 constexpr std::array<std::string_view, 2> kSimilarityNames{"exact", "merge"};
 constexpr std::array<std::string_view, 3> kSplineNames{"adaptive", "approximate", "interpolate"};
 constexpr std::array<std::string_view, 3> kSmoothingNames{"energy", "average", "none"};
+constexpr std::array<std::string_view, 2> kCornersNames{"round", "sharp"};
 constexpr std::array<std::string_view, 3> kShadingNames{"none", "gradient", "blur"};
 constexpr std::array<std::string_view, 2> kCurveRuleNames{"valence", "continuity"};
 
@@ -25,13 +26,15 @@ constexpr int kMaxThreads = 256;
 }  // namespace
 
 std::span<const OptionInfo> option_table() {
-  static const std::array<OptionInfo, 12> kTable{{
+  static const std::array<OptionInfo, 13> kTable{{
       {"similarity", "Pixels belong together when their colours are equal (exact) or alike (merge)",
        choice<&Options::similarity>(kSimilarityNames)},
       {"connect-lines", "Join lines of similar colour across diagonals",
        SwitchOption{&Options::connect_lines}},
       {"spline", "How splines follow the cell graph", choice<&Options::spline>(kSplineNames)},
       {"smoothing", "How staircases are removed", choice<&Options::smoothing>(kSmoothingNames)},
+      {"corners", "Whether splines go round corners between long straight arms, or are broken there",
+       choice<&Options::corners>(kCornersNames)},
       {"curve-rule",
        "How far curves go for their vote: through pixels with two links (valence), or straight on at "
        "junctions of lines too (continuity)",

@@ -9,6 +9,7 @@ namespace depixel {
 enum class Similarity { exact, merge };
 enum class SplineKind { adaptive, approximate, interpolate };
 enum class Smoothing { energy, average, none };
+enum class Corners { round, sharp };
 enum class ShadingKind { none, gradient, blur };
 enum class CurveRule { valence, continuity };
 
@@ -18,6 +19,7 @@ struct Options {
   bool connect_lines = false;
   SplineKind spline = SplineKind::interpolate;
   Smoothing smoothing = Smoothing::energy;
+  Corners corners = Corners::sharp;
   CurveRule curve_rule = CurveRule::valence;
   double curve_weight = 1.0;
   double sparse_weight = 1.0;
