@@ -8,31 +8,49 @@
 namespace depixel {
 namespace {
 
-float env(const char* n, float d) { const char* s = std::getenv(n); return s ? std::atof(s) : d; }
-const float kHeight = env("CH", 5.0f);
-const int kLongestArm = env("CA", 20);
-const int kCapNodes = 3;
-const int kSuppress = env("CS", 3);
-const float kStray = env("CP", 0.75f);
-const float kFull = env("CF", 0.5f);
+/// How far a corner stands out, at least, in pixels: more than the 4 of circles, for those of a few pixels
+/// and the tips of ellipses reach 5.2.
+constexpr float kHeight = 5.5f;
+/// How far from a node's lattice corner its arms may meet, along each axis, in pixels. A node cannot go quite
+/// as far (ArcBatch::kReach): the tip is cut off there.
+constexpr float kStray = 0.9f;
+/// Where the contour turns twice to the same side, a corner is at most so many steps from a turn.
+constexpr int kFromTurn = 3;
+/// Nodes this near to each other, in steps, are of the same corner.
+constexpr int kSameCorner = 3;
+/// Arms are laid on their lines up to the middle; from there on less and less.
+constexpr float kStraightPart = 0.5f;
+/// Steps of the long sides of a bar, at least, and of the short one at its end.
+constexpr int kBarLength = 4, kBarWidth = 2;
 
-int cross(glm::ivec2 a, glm::ivec2 b) { return a.x * b.y - a.y * b.x; }
-int dot(glm::ivec2 a, glm::ivec2 b) { return a.x * b.x + a.y * b.y; }
+constexpr float kFar = 1e9f;
 
-/// The square of how far the corner between two arms stands out.
-float height2(const DigitalLine& a, const DigitalLine& b) {
-  const glm::ivec2 u = a.direction(), v = b.direction(), p = a.end(), q = b.end();
-  const float cosine = static_cast<float>(dot(u, v)) /
-                       std::sqrt(static_cast<float>(dot(u, u)) * static_cast<float>(dot(v, v)));
-  return static_cast<float>(std::min(dot(p, p), dot(q, q))) * (0.5f * (1.0f + cosine));
+int cross(glm::ivec2 a, glm::ivec2 b) {
+  return a.x * b.y - a.y * b.x;
+}
+int dot(glm::ivec2 a, glm::ivec2 b) {
+  return a.x * b.x + a.y * b.y;
+}
+int squared_length(const DigitalLine& arm) {
+  return dot(arm.end(), arm.end());
 }
 
+/// The square of how far a corner with these arms stands out.
+float squared_height(const DigitalLine& a, const DigitalLine& b) {
+  const glm::ivec2 u = a.direction(), v = b.direction();
+  const float lengths = std::sqrt(static_cast<float>(dot(u, u)) * static_cast<float>(dot(v, v)));
+  const float cosine = static_cast<float>(dot(u, v)) / lengths;
+  const int shorter = std::min(squared_length(a), squared_length(b));
+  return static_cast<float>(shorter) * (0.5f * (1.0f + cosine));
+}
+
+/// Where the lines of two arms of a node meet.
 std::optional<glm::vec2> meeting_point(const DigitalLine& a, const DigitalLine& b) {
   const glm::ivec2 u = a.direction(), v = b.direction();
   const int area = cross(u, v);
   if (area == 0) return std::nullopt;
   const glm::ivec2 p = v * a.twice_offset() - u * b.twice_offset();
-  const float twice_area = static_cast<float>(2 * area);
+  const auto twice_area = static_cast<float>(2 * area);
   return glm::vec2(static_cast<float>(p.x) / twice_area, static_cast<float>(p.y) / twice_area);
 }
 
@@ -43,118 +61,148 @@ void CornerPlacer::place(std::span<const ShapeWord> words, const Runs& runs, con
   words_ = words;
   batch_ = &batch;
   member_ = member;
-  heights_.assign(member.count, 0.0f);
-  candidates_.clear();
+  hold_bar_ends(runs);
+  if (static_cast<float>(member.step_count()) < 2 * kHeight) return;
   find_candidates(runs);
-  if (candidates_.empty()) return;
-  for (const int node : candidates_) heights_[node] = height2(arm(node, -1), arm(node, 1));
   find_corners();
-  if (!corners_.empty()) straighten_arms();
+  if (corners_.empty()) return;
+  straighten_arms();
 }
 
-void CornerPlacer::add_candidate(int node) {
-  node = wrapped(node);
-  if (batch_->role[member_.first + node] != NodeRole::free || heights_[node] < 0) return;
-  heights_[node] = -1;
-  candidates_.push_back(node);
-}
-
-void CornerPlacer::find_candidates(const Runs& runs) {
+void CornerPlacer::hold_bar_ends(const Runs& runs) {
   for (int k = 0; k < runs.count(); ++k) {
-    const Run& run = runs[k];
-    const Run* next = runs.neighbour(k, 1);
-    if (run.turn_in == run.turn_out && run.turn_in != 0) {
-      for (int j = 0; j <= run.length; ++j) {
-        if (std::min(j, run.length - j) <= kCapNodes) add_candidate(run.start + j);
-      }
-    } else if (run.turn_out != 0 && run.length > 1 && next->length > 1) {
-      add_candidate(next->start);
+    const Run& end = runs[k];
+    if (end.length != kBarWidth || end.turn_in == 0 || end.turn_in != end.turn_out) continue;
+    if (runs.neighbour(k, -1)->length < kBarLength || runs.neighbour(k, 1)->length < kBarLength) continue;
+    for (const int node : {end.start, end.start + kBarWidth}) {
+      const int i = member_.first + wrapped(node);
+      if (batch_->role[i] != NodeRole::free) continue;
+      batch_->set_role(i, NodeRole::sharp);
+      batch_->x[i] = batch_->y[i] = 0;
     }
   }
 }
 
+/// No digital straight segment goes on where the contour turns twice to the same side, or turns between two
+/// runs of two steps or more; and two that meet at more than 45 degrees have such a place between them.
+void CornerPlacer::find_candidates(const Runs& runs) {
+  candidates_.clear();
+  const auto add = [&](int node) {
+    if (batch_->role[member_.first + wrapped(node)] == NodeRole::free) candidates_.push_back(wrapped(node));
+  };
+  for (int k = 0; k < runs.count(); ++k) {
+    const Run& run = runs[k];
+    if (run.turn_out != 0 && run.length > 1 && runs.neighbour(k, 1)->length > 1) add(run.start + run.length);
+    if (run.turn_in == 0 || run.turn_in != run.turn_out) continue;
+    for (int j = 0; j <= run.length; ++j) {
+      if (std::min(j, run.length - j) <= kFromTurn) add(run.start + j);
+    }
+  }
+  std::sort(candidates_.begin(), candidates_.end());
+  candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
+}
+
+/// The step that leaves a node in the arc's direction (1) or against it (-1).
+Direction CornerPlacer::step_from(int node, int direction) const {
+  return direction > 0 ? words_[node].heading() : opposite(words_[wrapped(node - 1)].heading());
+}
+
 DigitalLine CornerPlacer::arm(int node, int direction) const {
+  const int beyond = direction > 0 ? member_.count - 1 - node : node;
+  const int steps = std::min(kLongestArm, member_.closed ? member_.count / 2 : beyond);
   DigitalLine line;
-  const int longest = member_.closed ? std::min(kLongestArm, member_.count / 2)
-                                     : std::min(kLongestArm, direction > 0 ? member_.count - 1 - node : node);
-  for (int k = 0; k < longest; ++k) {
-    const Direction step = direction > 0 ? words_[wrapped(node + k)].heading()
-                                         : opposite(words_[wrapped(node - k - 1)].heading());
-    if (!line.grow(step)) break;
+  for (int k = 0; k < steps; ++k) {
+    if (!line.grow(step_from(wrapped(node + direction * k), direction))) break;
   }
   return line;
 }
 
 void CornerPlacer::find_corners() {
   corners_.clear();
-  std::sort(candidates_.begin(), candidates_.end());
   for (const int node : candidates_) {
-    const float height = heights_[node];
-    if (height < kHeight * kHeight) continue;
-    bool is_highest = true;
-    for (int j = -kSuppress; j <= kSuppress; ++j) {
-      const int other = member_.closed ? wrapped(node + j) : std::clamp(node + j, 0, member_.count - 1);
-      is_highest &= heights_[other] <= height;
-    }
-    if (!is_highest) continue;
-    const Corner corner{node, arm(node, -1), arm(node, 1)};
-    const auto at = meeting_point(corner.before, corner.after);
-    if (!at || std::max(std::fabs(at->x), std::fabs(at->y)) > kStray) continue;
-    const int i = member_.first + node;
-    batch_->set_role(i, NodeRole::sharp);
-    batch_->x[i] = at->x;
-    batch_->y[i] = at->y;
-    corners_.push_back(corner);
+    const DigitalLine before = arm(node, -1);
+    if (static_cast<float>(squared_length(before)) < kHeight * kHeight) continue;
+    const DigitalLine after = arm(node, 1);
+    if (squared_height(before, after) < kHeight * kHeight) continue;
+    const std::optional<glm::vec2> meeting = meeting_point(before, after);
+    if (!meeting || std::max(std::fabs(meeting->x), std::fabs(meeting->y)) > kStray) continue;
+    corners_.push_back({node, before, after, *meeting});
   }
+  if (corners_.empty()) return;
+  distances_.assign(member_.count, kFar);
+  for (const Corner& c : corners_) {
+    distances_[c.node] = c.meeting.x * c.meeting.x + c.meeting.y * c.meeting.y;
+  }
+  std::erase_if(corners_, [&](const Corner& c) { return !is_nearest(c.node); });
+}
+
+/// Whether no other node of the same corner is nearer to where its arms meet. A tip one step wide has two
+/// nodes that are equally near.
+bool CornerPlacer::is_nearest(int node) const {
+  for (int j = -kSameCorner; j <= kSameCorner; ++j) {
+    const int other = member_.closed ? wrapped(node + j) : node + j;
+    if (j == 0 || other < 0 || other >= member_.count) continue;
+    if (distances_[other] < distances_[node]) return false;
+    if (distances_[other] == distances_[node] && std::abs(j) > 1) return false;
+  }
+  return true;
 }
 
 void CornerPlacer::straighten_arms() {
   pulls_.assign(member_.count, {});
   const int count = static_cast<int>(corners_.size());
+  const auto steps_between = [&](int from, int to) {
+    if (from < to) return to - from;
+    return member_.closed ? to - from + member_.count : member_.count;
+  };
   for (int k = 0; k < count; ++k) {
     const Corner& corner = corners_[k];
-    const auto distance = [&](int from, int to) {  // nodes between two corners that follow each other
-      if (from < to) return to - from;
-      return member_.closed ? to - from + member_.count : member_.count;
-    };
-    straighten(corner, corner.before, -1, distance(corners_[k == 0 ? count - 1 : k - 1].node, corner.node));
-    straighten(corner, corner.after, 1, distance(corner.node, corners_[k + 1 == count ? 0 : k + 1].node));
+    const int previous = corners_[k == 0 ? count - 1 : k - 1].node;
+    const int next = corners_[k + 1 == count ? 0 : k + 1].node;
+    pull_to(corner.before, corner.node, -1, steps_between(previous, corner.node) - 1);
+    pull_to(corner.after, corner.node, 1, steps_between(corner.node, next) - 1);
+    const int i = member_.first + corner.node;
+    batch_->set_role(i, NodeRole::sharp);
+    batch_->x[i] = corner.meeting.x;
+    batch_->y[i] = corner.meeting.y;
   }
+  apply_pulls();
+}
+
+/// Pulls the nodes of a corner's arm, up to `last` steps away, towards the arm's line. So no more than two
+/// lines pull at a node: their sum does not depend on their order.
+void CornerPlacer::pull_to(const DigitalLine& line, int node, int direction, int last) {
+  const glm::ivec2 along = line.direction();
+  const auto x = static_cast<float>(along.x), y = static_cast<float>(along.y);
+  const auto length2 = static_cast<float>(dot(along, along));
+  const auto steps = static_cast<float>(line.steps());
+  glm::ivec2 offset{0};
+  for (int k = 1; k <= std::min(line.steps(), last); ++k) {
+    offset += kStep[step_from(node, direction)];
+    node = wrapped(node + direction);
+    const int i = member_.first + node;
+    const float corner_off = 0.5f * static_cast<float>(2 * cross(along, offset) - line.twice_offset());
+    const float off = (corner_off + (x * batch_->rest_y[i] - y * batch_->rest_x[i])) / length2;
+    const float weight = std::min(1.0f, (1.0f - static_cast<float>(k) / steps) / (1.0f - kStraightPart));
+    Pull& pull = pulls_[node];
+    pull.move_x += weight * (off * y);
+    pull.move_y -= weight * (off * x);
+    pull.weight += weight;
+  }
+}
+
+void CornerPlacer::apply_pulls() {
   for (int node = 0; node < member_.count; ++node) {
     const Pull& pull = pulls_[node];
     const int i = member_.first + node;
     if (pull.weight == 0 || batch_->role[i] != NodeRole::free) continue;
-    const float whole = std::max(1.0f, pull.weight), part = std::min(1.0f, pull.weight);
-    // towards the lines from the node of the cell graph, and by the rest of it from where it is
-    const float to_x = batch_->rest_x[i] + pull.move.x / pull.weight, to_y = batch_->rest_y[i] + pull.move.y / pull.weight;
-    (void)whole;
+    const float to_x = batch_->rest_x[i] + pull.move_x / pull.weight;
+    const float to_y = batch_->rest_y[i] + pull.move_y / pull.weight;
+    const float part = std::min(1.0f, pull.weight);
     batch_->x[i] += part * (to_x - batch_->x[i]);
     batch_->y[i] += part * (to_y - batch_->y[i]);
     batch_->rest_x[i] += part * (to_x - batch_->rest_x[i]);
     batch_->rest_y[i] += part * (to_y - batch_->rest_y[i]);
-  }
-}
-
-void CornerPlacer::straighten(const Corner& corner, const DigitalLine& line, int direction, int reach) {
-  const glm::ivec2 along = line.direction();
-  const float length2 = static_cast<float>(dot(along, along));
-  const int last = std::min(line.steps(), reach - 1);
-  glm::ivec2 offset{0};
-  for (int k = 1; k <= last; ++k) {
-    const Direction step = direction > 0 ? words_[wrapped(corner.node + k - 1)].heading()
-                                         : opposite(words_[wrapped(corner.node - k)].heading());
-    offset += kStep[step];
-    const int node = wrapped(corner.node + direction * k), i = member_.first + node;
-    const float dx = batch_->rest_x[i], dy = batch_->rest_y[i];
-    const float off = 0.5f * static_cast<float>(2 * cross(along, offset) - line.twice_offset()) +
-                      (static_cast<float>(along.x) * dy - static_cast<float>(along.y) * dx);
-    const float share = off / length2;
-    const float t = static_cast<float>(k) / static_cast<float>(line.steps());
-    const float weight = t <= kFull ? 1.0f : (1.0f - t) / (1.0f - kFull);
-    Pull& pull = pulls_[node];
-    pull.move.x += weight * (share * static_cast<float>(along.y));
-    pull.move.y -= weight * (share * static_cast<float>(along.x));
-    pull.weight += weight;
   }
 }
 

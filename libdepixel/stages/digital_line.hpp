@@ -6,11 +6,10 @@
 
 namespace depixel {
 
-/// A digital straight segment: a chain of lattice steps that a straight line may have left, grown step by step
-/// from its first node, the origin. All of its nodes p have cross(direction, p) within a range as wide as the
-/// direction's steps, |x| + |y|.
-/// Cost: constant a step, integers only. Source: Debled-Rennesson and Reveilles, "A linear algorithm for
-/// segmentation of digital curves" (1995).
+/// A digital straight segment: a chain of lattice steps that a straight line may have left, grown step by
+/// step from its first node, the origin. All of its nodes p have cross(direction, p) within a range as wide
+/// as the direction's steps, |x| + |y|. Cost: constant a step, integers only. Source: Debled-Rennesson and
+/// Reveilles, "A linear algorithm for segmentation of digital curves" (1995).
 class DigitalLine {
  public:
   /// Adds a step at the end. \return whether all is still straight; if not, nothing has changed.
@@ -27,11 +26,10 @@ class DigitalLine {
 
  private:
   // Points and slopes are counted in steps of the first kind (x) and of the second (y). The remainder of a
-  // point is slope_.y * x - slope_.x * y; those of all nodes are lowest_ .. lowest_ + slope_.x + slope_.y - 1,
-  // and nodes that have the least or the greatest one lean on the bounds.
+  // point is slope_.y * x - slope_.x * y; those of all nodes are lowest_ .. lowest_ + slope_.x + slope_.y -
+  // 1, and nodes that have the least or the greatest one lean on the bounds.
   int remainder(glm::ivec2 p) const { return slope_.y * p.x - slope_.x * p.y; }
   glm::ivec2 in_picture(glm::ivec2 p) const { return p.x * kStep[first_] + p.y * kStep[second_]; }
-  void turn_towards(glm::ivec2 to, glm::ivec2 from);
 
   Direction first_ = kEast, second_ = kEast;
   int side_ = 0;  ///< of the second kind of step: 1 to the right of the first, -1 to the left, 0: none yet

@@ -31,9 +31,12 @@ void find_thin_pixels(const SimilarityGraph& graph, int y, int from, int to, std
 class NodePlacer {
  public:
   /// Adds an arc to a batch and places its nodes.
-  void add(std::span<const ShapeWord> words, ArcKind kind, const Options& options, int source, ArcBatch& batch);
+  void add(std::span<const ShapeWord> words, ArcKind kind, const Options& options, int source,
+           ArcBatch& batch);
 
-  std::size_t memory_bytes() const { return held_bytes(thin_sides_) + runs_.memory_bytes() + corners_.memory_bytes(); }
+  std::size_t memory_bytes() const {
+    return held_bytes(thin_sides_) + runs_.memory_bytes() + corners_.memory_bytes();
+  }
 
  private:
   void place_at_rest(std::span<const ShapeWord> words);

@@ -146,8 +146,7 @@ int SplineTable::fit_added(const Options& options, Workers& workers) {
   } else {
     workers.run(parts, [&](int part, int thread) {
       const int first = part * kShapesAtOnce;
-      fitters_[thread].fit(std::span(added_).subspan(first, std::min(kShapesAtOnce, count - first)),
-                           options);
+      fitters_[thread].fit(std::span(added_).subspan(first, std::min(kShapesAtOnce, count - first)), options);
     });
   }
   for (std::size_t k = 0; k < steps; ++k) {

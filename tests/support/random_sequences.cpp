@@ -257,6 +257,7 @@ void print(std::ostream& out, const Options& options) {
       << ", .connect_lines = " << name_of(options.connect_lines)
       << ", .spline = SplineKind::" << kSplines[static_cast<int>(options.spline)]
       << ", .smoothing = Smoothing::" << kSmoothings[static_cast<int>(options.smoothing)]
+      << ", .corners = Corners::" << (options.corners == Corners::round ? "round" : "sharp")
       << ", .curve_rule = CurveRule::"
       << (options.curve_rule == CurveRule::valence ? "valence" : "continuity")
       << ", .shading = ShadingKind::" << kShadings[static_cast<int>(options.shading)]

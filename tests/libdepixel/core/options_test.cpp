@@ -57,6 +57,8 @@ TEST(Options, ChoiceNamesMatchTheirEnumerators) {
   EXPECT_EQ(options.smoothing, Smoothing::none);
   set("smoothing", "average");
   EXPECT_EQ(options.smoothing, Smoothing::average);
+  set("corners", "round");
+  EXPECT_EQ(options.corners, Corners::round);
 }
 
 TEST(Options, DefaultsLieWithinTheirRanges) {
