@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <optional>
 
 namespace depixel {
@@ -11,9 +10,11 @@ namespace {
 /// How far a corner stands out, at least, in pixels: more than the 4 of circles, for those of a few pixels
 /// and the tips of ellipses reach 5.2.
 constexpr float kHeight = 5.5f;
-/// How far from a node's lattice corner its arms may meet, along each axis, in pixels. A node cannot go quite
-/// as far (ArcBatch::kReach): the tip is cut off there.
+/// How far from a node's lattice corner its arms may meet, along each axis, in pixels, unless they form a
+/// narrow tip. A node cannot go as far (ArcBatch::kReach): the tip is cut off there.
 constexpr float kStray = 0.9f;
+/// Narrower tips than this are not looked for: the square of the cotangent of half their angle, 35 degrees.
+constexpr float kNarrowest = 10.0f;
 /// Where the contour turns twice to the same side, a corner is at most so many steps from a turn.
 constexpr int kFromTurn = 3;
 /// Nodes this near to each other, in steps, are of the same corner.
@@ -35,13 +36,23 @@ int squared_length(const DigitalLine& arm) {
   return dot(arm.end(), arm.end());
 }
 
-/// The square of how far a corner with these arms stands out.
-float squared_height(const DigitalLine& a, const DigitalLine& b) {
+/// The cosine of the angle between two arms.
+float cosine_between(const DigitalLine& a, const DigitalLine& b) {
   const glm::ivec2 u = a.direction(), v = b.direction();
   const float lengths = std::sqrt(static_cast<float>(dot(u, u)) * static_cast<float>(dot(v, v)));
-  const float cosine = static_cast<float>(dot(u, v)) / lengths;
-  const int shorter = std::min(squared_length(a), squared_length(b));
-  return static_cast<float>(shorter) * (0.5f * (1.0f + cosine));
+  return static_cast<float>(dot(u, v)) / lengths;
+}
+
+/// Whether a corner with these arms stands out.
+bool stands_out(const DigitalLine& a, const DigitalLine& b, float cosine) {
+  const auto shorter = static_cast<float>(std::min(squared_length(a), squared_length(b)));
+  return shorter * (0.5f * (1.0f + cosine)) >= kHeight * kHeight;
+}
+
+/// How far from their node two arms of a corner may meet, along an axis, squared: a tip that is narrower than
+/// a right angle goes on beyond its last pixel, by the cotangent of half its angle.
+float squared_stray(float cosine) {
+  return kStray * kStray * std::clamp((1.0f + cosine) / (1.0f - cosine), 1.0f, kNarrowest);
 }
 
 /// Where the lines of two arms of a node meet.
@@ -123,9 +134,11 @@ void CornerPlacer::find_corners() {
     const DigitalLine before = arm(node, -1);
     if (static_cast<float>(squared_length(before)) < kHeight * kHeight) continue;
     const DigitalLine after = arm(node, 1);
-    if (squared_height(before, after) < kHeight * kHeight) continue;
+    const float cosine = cosine_between(before, after);
+    if (!stands_out(before, after, cosine)) continue;
     const std::optional<glm::vec2> meeting = meeting_point(before, after);
-    if (!meeting || std::max(std::fabs(meeting->x), std::fabs(meeting->y)) > kStray) continue;
+    if (!meeting || std::max(meeting->x * meeting->x, meeting->y * meeting->y) > squared_stray(cosine))
+      continue;
     corners_.push_back({node, before, after, *meeting});
   }
   if (corners_.empty()) return;
@@ -133,17 +146,28 @@ void CornerPlacer::find_corners() {
   for (const Corner& c : corners_) {
     distances_[c.node] = c.meeting.x * c.meeting.x + c.meeting.y * c.meeting.y;
   }
-  std::erase_if(corners_, [&](const Corner& c) { return !is_nearest(c.node); });
+  std::erase_if(corners_, [&](const Corner& c) { return !is_tip(c.node); });
 }
 
-/// Whether no other node of the same corner is nearer to where its arms meet. A tip one step wide has two
-/// nodes that are equally near.
-bool CornerPlacer::is_nearest(int node) const {
-  for (int j = -kSameCorner; j <= kSameCorner; ++j) {
-    const int other = member_.closed ? wrapped(node + j) : node + j;
-    if (j == 0 || other < 0 || other >= member_.count) continue;
-    if (distances_[other] < distances_[node]) return false;
-    if (distances_[other] == distances_[node] && std::abs(j) > 1) return false;
+float CornerPlacer::distance(int node) const {
+  if (member_.closed) return distances_[wrapped(node)];
+  return node < 0 || node >= member_.count ? kFar : distances_[node];
+}
+
+/// Whether a node lies between two that are equally near to where their arms meet: the contour is symmetric.
+bool CornerPlacer::is_middle(int node) const {
+  return distance(node) != kFar && distance(node - 1) != kFar && distance(node - 1) == distance(node + 1);
+}
+
+/// Whether a node is that of its corner: in the middle, or the nearest to where its arms meet. A tip one step
+/// wide has two.
+bool CornerPlacer::is_tip(int node) const {
+  if (is_middle(node)) return true;
+  for (int j = 1; j <= kSameCorner; ++j) {
+    for (const int other : {node - j, node + j}) {
+      const bool is_nearer = distance(other) < distance(node) || (j > 1 && distance(other) == distance(node));
+      if (is_nearer || is_middle(other)) return false;
+    }
   }
   return true;
 }

@@ -49,7 +49,9 @@ class CornerPlacer {
   void hold_bar_ends(const Runs& runs);
   void find_candidates(const Runs& runs);
   void find_corners();
-  bool is_nearest(int node) const;
+  float distance(int node) const;
+  bool is_middle(int node) const;
+  bool is_tip(int node) const;
   void straighten_arms();
   void pull_to(const DigitalLine& line, int node, int direction, int last);
   void apply_pulls();
