@@ -9,7 +9,7 @@ namespace {
 
 /// How far a corner stands out, at least, in pixels: more than the 4 of circles, for those of a few pixels
 /// and the tips of ellipses reach 5.2.
-constexpr float kHeight = 5.5f;
+constexpr float kHeight = 6.0f;
 /// How far from a node's lattice corner its arms may meet, along each axis, in pixels, unless they form a
 /// narrow tip. A node cannot go as far (ArcBatch::kReach): the tip is cut off there.
 constexpr float kStray = 0.9f;
@@ -99,7 +99,7 @@ void CornerPlacer::hold_bar_ends(const Runs& runs) {
 void CornerPlacer::find_candidates(const Runs& runs) {
   candidates_.clear();
   const auto add = [&](int node) {
-    if (batch_->role[member_.first + wrapped(node)] == NodeRole::free) candidates_.push_back(wrapped(node));
+    if (batch_->role[member_.first + wrapped(node)] != NodeRole::sharp) candidates_.push_back(wrapped(node));
   };
   for (int k = 0; k < runs.count(); ++k) {
     const Run& run = runs[k];

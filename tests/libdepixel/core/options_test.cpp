@@ -99,7 +99,7 @@ TEST(Options, EveryFieldHasARow) {
     if (!(options == Options{})) ++changed;
   }
   EXPECT_EQ(changed, option_table().size());
-  EXPECT_EQ(changed, 12u);
+  EXPECT_EQ(changed, 13u);
 }
 
 }  // namespace

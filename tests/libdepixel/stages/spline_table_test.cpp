@@ -139,7 +139,7 @@ TEST(SplineTable, ThreadsLeaveNoTrace) {
     Workers workers;
     workers.set_threads(threads);
     for (const Arc& arc : arcs.list) table.place_of(arcs.words(arc), arc.kind);
-    EXPECT_GT(table.fit_added(Smoothing::energy, workers), 500);
+    EXPECT_GT(table.fit_added(Options{}, workers), 500);
     const std::vector<EdgeCurve> curves = curves_at(table, 0, static_cast<int>(table.places()));
     if (threads == 1) expected = curves;
     EXPECT_TRUE(curves == expected);
@@ -177,7 +177,7 @@ TEST(SplineTable, JoinedCurvesAreFoundAgain) {
   SplineTable table;
   Workers workers;
   const int place = table.place_of(arcs.words(arcs.list[0]), arcs.list[0].kind);
-  table.fit_added(Smoothing::energy, workers);
+  table.fit_added(Options{}, workers);
   const int fitted = table.number_at(place);
   const EdgeCurve curve = table.curve(fitted);
   EXPECT_EQ(table.joined(fitted, true, curve.p0, curve.p3), fitted) << "its own ends";
