@@ -33,6 +33,7 @@ inline constexpr std::array kOptionVariants{
                   }},
     OptionVariant{"soft contours 20", [](Options& o) { o.soft_contours = 20; }},
     OptionVariant{"blended dithers", [](Options& o) { o.dither = DitherKind::blend; }},
+    OptionVariant{"round corners", [](Options& o) { o.corners = Corners::round; }},
     OptionVariant{"continuity", [](Options& o) { o.curve_rule = CurveRule::continuity; }},
     OptionVariant{"border mirror", [](Options& o) { o.border = BorderKind::mirror; }},
     OptionVariant{"text-safe", [](Options& o) { o.text_safe = true; }},

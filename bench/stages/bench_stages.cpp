@@ -74,7 +74,7 @@ void splines(benchmark::State& state, const Subject& subject) {
   while (state.KeepRunning()) {
     table.clear();
     for (const Arc& arc : arcs.list) table.place_of(arcs.words(arc), arc.kind);
-    table.fit_added(kOptions.smoothing, workers);
+    table.fit_added(kOptions, workers);
   }
 }
 

@@ -9,6 +9,7 @@ constexpr std::array<std::string_view, 2> kSimilarityNames{"exact", "merge"};
 constexpr std::array<std::string_view, 2> kDitherNames{"keep", "blend"};
 constexpr std::array<std::string_view, 3> kSplineNames{"adaptive", "approximate", "interpolate"};
 constexpr std::array<std::string_view, 3> kSmoothingNames{"energy", "average", "none"};
+constexpr std::array<std::string_view, 2> kCornersNames{"round", "sharp"};
 constexpr std::array<std::string_view, 3> kShadingNames{"none", "gradient", "blur"};
 constexpr std::array<std::string_view, 2> kCurveRuleNames{"valence", "continuity"};
 constexpr std::array<std::string_view, 3> kBorderNames{"fixed", "repeat", "mirror"};
@@ -27,7 +28,7 @@ constexpr int kMaxThreads = 256;
 }  // namespace
 
 std::span<const OptionInfo> option_table() {
-  static const std::array<OptionInfo, 15> kTable{{
+  static const std::array<OptionInfo, 16> kTable{{
       {"similarity", "Pixels belong together when their colours are equal (exact) or alike (merge)",
        choice<&Options::similarity>(kSimilarityNames)},
       {"connect-lines", "Join lines of similar colour across diagonals",
@@ -36,6 +37,8 @@ std::span<const OptionInfo> option_table() {
        choice<&Options::dither>(kDitherNames)},
       {"spline", "How splines follow the cell graph", choice<&Options::spline>(kSplineNames)},
       {"smoothing", "How staircases are removed", choice<&Options::smoothing>(kSmoothingNames)},
+      {"corners", "Whether splines go round corners between long straight arms, or are broken there",
+       choice<&Options::corners>(kCornersNames)},
       {"curve-rule",
        "How far curves go for their vote: through pixels with two links (valence), or straight on at "
        "junctions of lines too (continuity)",

@@ -10,6 +10,7 @@ enum class Similarity { exact, merge };
 enum class SplineKind { adaptive, approximate, interpolate };
 enum class Smoothing { energy, average, none };
 enum class DitherKind { keep, blend };
+enum class Corners { round, sharp };
 enum class ShadingKind { none, gradient, blur };
 enum class CurveRule { valence, continuity };
 /// How a picture goes on beyond its border: not at all, by its outermost pixels, or mirrored.
@@ -22,6 +23,7 @@ struct Options {
   DitherKind dither = DitherKind::keep;
   SplineKind spline = SplineKind::interpolate;
   Smoothing smoothing = Smoothing::energy;
+  Corners corners = Corners::sharp;
   CurveRule curve_rule = CurveRule::valence;
   double curve_weight = 1.0;
   double sparse_weight = 1.0;

@@ -360,7 +360,7 @@ void IncrementalVectorizer::fit() {
     arc.place = table_.place_of(arcs_.words(arc), arc.kind);
     votes_.see(arc.place, arcs_.corner[arc.first], arc.count, lattice());
   }
-  stats_.fitted_shapes = table_.fit_added(options_->smoothing, workers_);
+  stats_.fitted_shapes = table_.fit_added(*options_, workers_);
   if (!is_whole_) {
     for (const Arc& arc : arcs_.list) {
       for_each_edge(arcs_, arc, table_, step, [&](int slot, int number) { set_curve(slot, number); });

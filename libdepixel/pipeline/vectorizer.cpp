@@ -62,7 +62,7 @@ void Vectorizer::fit(const Options& options) {
   edges_.curve.assign(2 * std::size_t(cells_.lattice.size()), 0);
   table_.clear();
   for (Arc& arc : arcs_.list) arc.place = table_.place_of(arcs_.words(arc), arc.kind);
-  stats_.fitted_shapes = table_.fit_added(options.smoothing, workers_);
+  stats_.fitted_shapes = table_.fit_added(options, workers_);
   stats_.segments = 0;
   for (const Arc& arc : arcs_.list) {
     for_each_edge(arcs_, arc, table_, step, [&](int slot, int number) { edges_.curve[slot] = number; });

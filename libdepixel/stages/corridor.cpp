@@ -126,7 +126,7 @@ void Corridor::retreat(const ArcBatch::Member& member, float part, ArcBatch& bat
   }
   for (int k = 0; k < member.count; ++k) {
     const int i = member.first + k;
-    if (!retreats_[k] || batch.role[i] != NodeRole::free) continue;
+    if (!retreats_[k] || batch.role[i] == NodeRole::held) continue;
     const ShapeWord word = batch.word[i];
     const glm::vec2 home = glm::vec2(word.code().node_quarters(word.heading())) * 0.25f;
     batch.x[i] += part * (home.x - batch.x[i]);

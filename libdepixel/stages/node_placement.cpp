@@ -44,20 +44,21 @@ constexpr auto kRest = [] {
 
 }  // namespace
 
-void NodePlacer::add(std::span<const ShapeWord> words, ArcKind kind, Smoothing smoothing, int source,
+void NodePlacer::add(std::span<const ShapeWord> words, ArcKind kind, const Options& options, int source,
                      ArcBatch& batch) {
   batch_ = &batch;
   member_ = batch.add(words, kind, source);
   place_at_rest(words);
-  if (smoothing == Smoothing::none) return;
-  find_runs(words);
-  if (smoothing == Smoothing::average) {
+  if (options.smoothing == Smoothing::none) return;
+  runs_.find(words, kind.closed);
+  if (options.smoothing == Smoothing::average) {
     hold_corners();
     return;
   }
   find_thin_sides(words);
   if (has_thin_sides_) hold_square_ends();
   straighten_stairs();
+  if (options.corners == Corners::sharp) corners_.place(words, runs_, member_, *batch_);
   if (has_thin_sides_) widen_thin_lines();
   hold_text(words);
 }
@@ -91,53 +92,10 @@ void NodePlacer::find_thin_sides(std::span<const ShapeWord> words) {
   has_thin_sides_ = any != 0;
 }
 
-void NodePlacer::find_runs(std::span<const ShapeWord> words) {
-  runs_.clear();
-  const int nodes = member_.count, steps = member_.step_count();
-  int start = 0;
-  if (member_.closed) {
-    while (words[start].heading() == words[start == 0 ? nodes - 1 : start - 1].heading()) {
-      ++start;  // it turns somewhere
-    }
-  }
-  const auto turn = [](int from, int to) {
-    constexpr std::array<int, 4> kTurns{0, 1, 0, -1};
-    return kTurns[(to - from) & 3];
-  };
-  int heading = words[start].heading(), first = start, length = 0, turn_in = 0;
-  const auto finish = [&](int turn_out) {
-    runs_.push_back({first, length, static_cast<Direction>(heading), turn_in, turn_out});
-    turn_in = turn_out;
-  };
-  for (int k = 0, node = start; k < steps; ++k) {
-    if (length > 0 && words[node].heading() != heading) {
-      finish(turn(heading, words[node].heading()));
-      heading = words[node].heading();
-      first = node;
-      length = 0;
-    }
-    ++length;
-    if (++node == nodes) node = 0;
-  }
-  finish(member_.closed ? turn(heading, runs_.empty() ? heading : runs_.front().heading) : 0);
-  if (member_.closed) runs_.front().turn_in = runs_.back().turn_out;
-}
-
-const NodePlacer::Run* NodePlacer::neighbour(int run, int offset) const {
-  const int count = static_cast<int>(runs_.size());
-  int k = run + offset;
-  if (member_.closed) {
-    k = ArcBatch::wrapped(k, count);
-  } else if (k < 0 || k >= count) {
-    return nullptr;
-  }
-  return &runs_[k];
-}
-
 void NodePlacer::hold_corners() {
-  for (int k = 0; k < static_cast<int>(runs_.size()); ++k) {
+  for (int k = 0; k < runs_.count(); ++k) {
     const Run& run = runs_[k];
-    const Run* next = neighbour(k, 1);
+    const Run* next = runs_.neighbour(k, 1);
     if (run.turn_out == 0 || run.length < kAveragedCornerArm || next->length < kAveragedCornerArm) continue;
     batch_->set_role(entry(next->start), NodeRole::held);
   }
@@ -162,7 +120,7 @@ void NodePlacer::hold_square_ends() {
 }
 
 void NodePlacer::straighten_stairs() {
-  for (int k = 0; k < static_cast<int>(runs_.size()); ++k) {
+  for (int k = 0; k < runs_.count(); ++k) {
     if (runs_[k].length >= 2) straighten_stair(k);
   }
 }
@@ -172,8 +130,8 @@ void NodePlacer::straighten_stairs() {
 void NodePlacer::straighten_stair(int index) {
   const Run& run = runs_[index];
   const auto level_beyond = [&](int direction) -> const Run* {
-    const Run* step = neighbour(index, direction);
-    const Run* beyond = neighbour(index, 2 * direction);
+    const Run* step = runs_.neighbour(index, direction);
+    const Run* beyond = runs_.neighbour(index, 2 * direction);
     const bool joined = step != nullptr && step->length == 1 && step->heading != run.heading &&
                         beyond != nullptr && beyond->heading == run.heading;
     return joined ? beyond : nullptr;
@@ -222,15 +180,15 @@ bool NodePlacer::is_thin(const Run& run, int side) const {
 }
 
 void NodePlacer::widen_thin_lines() {
-  for (int k = 0; k < static_cast<int>(runs_.size()); ++k) {
+  for (int k = 0; k < runs_.count(); ++k) {
     const Run& run = runs_[k];
     if (run.length >= static_cast<int>(kWidening.size())) continue;
     for (const int side : {kLeftSide, kRightSide}) {
       if (!is_thin(run, side)) continue;
       // A single step belongs to the longer runs that it joins, if there are such.
       const auto is_longer = [](const Run* other) { return other != nullptr && other->length > 1; };
-      const int from = run.length == 1 && is_longer(neighbour(k, -1)) ? 1 : 0;
-      const int to = run.length == 1 && is_longer(neighbour(k, 1)) ? 0 : run.length;
+      const int from = run.length == 1 && is_longer(runs_.neighbour(k, -1)) ? 1 : 0;
+      const int to = run.length == 1 && is_longer(runs_.neighbour(k, 1)) ? 0 : run.length;
       const Vector away = unit(turned(run.heading, side == kLeftSide ? 1 : 3));
       const float by = kWidening[run.length];
       for (int j = from; j <= to; ++j) {

@@ -6,6 +6,8 @@
 #include "libdepixel/core/memory.hpp"
 #include "libdepixel/core/options.hpp"
 #include "libdepixel/stages/arc_batch.hpp"
+#include "libdepixel/stages/corners.hpp"
+#include "libdepixel/stages/runs.hpp"
 
 namespace depixel {
 
@@ -22,21 +24,14 @@ namespace depixel {
 class NodePlacer {
  public:
   /// Adds an arc to a batch and places its nodes.
-  void add(std::span<const ShapeWord> words, ArcKind kind, Smoothing smoothing, int source, ArcBatch& batch);
+  void add(std::span<const ShapeWord> words, ArcKind kind, const Options& options, int source,
+           ArcBatch& batch);
 
-  std::size_t memory_bytes() const { return held_bytes(runs_, thin_sides_); }
+  std::size_t memory_bytes() const {
+    return held_bytes(thin_sides_) + runs_.memory_bytes() + corners_.memory_bytes();
+  }
 
  private:
-  /// A maximal sequence of equal steps.
-  struct Run {
-    int start;   ///< node of its first step, counted from the arc's first node
-    int length;  ///< steps
-    Direction heading;
-    int turn_in,
-        turn_out;  ///< at its ends: 1 to the right, -1 to the left, 0 at an open end
-  };
-
-  void find_runs(std::span<const ShapeWord> words);
   void place_at_rest(std::span<const ShapeWord> words);
   void find_thin_sides(std::span<const ShapeWord> words);
   void hold_corners();
@@ -47,13 +42,12 @@ class NodePlacer {
   void hold_text(std::span<const ShapeWord> words);
 
   int entry(int node) const { return member_.first + (node >= member_.count ? node - member_.count : node); }
-  /// The run `offset` runs on, or nullptr beyond the end of an open arc.
-  const Run* neighbour(int run, int offset) const;
   bool is_thin(const Run& run, int side) const;
 
   ArcBatch* batch_ = nullptr;
   ArcBatch::Member member_;
-  std::vector<Run> runs_;
+  Runs runs_;
+  CornerPlacer corners_;
   std::vector<std::uint8_t>
       thin_sides_;  ///< by step: 1 where the pixel on the left is thin, plus 2 for the right
   bool has_thin_sides_ = false;

@@ -124,7 +124,7 @@ int SplineTable::place_of(std::span<const ShapeWord> words, ArcKind kind) {
   return shapes_[shape].first_place;
 }
 
-int SplineTable::fit_added(Smoothing smoothing, Workers& workers) {
+int SplineTable::fit_added(const Options& options, Workers& workers) {
   const auto count = static_cast<int>(shapes_.size() - fitted_shapes_);
   if (count == 0) return 0;
   const auto first_place = static_cast<std::size_t>(shapes_[fitted_shapes_].first_place);
@@ -142,12 +142,11 @@ int SplineTable::fit_added(Smoothing smoothing, Workers& workers) {
   const int parts = (count + kShapesAtOnce - 1) / kShapesAtOnce;
   // One thread takes all in one go: batches are fuller.
   if (workers.threads() == 1) {
-    fitters_[0].fit(added_, smoothing);
+    fitters_[0].fit(added_, options);
   } else {
     workers.run(parts, [&](int part, int thread) {
       const int first = part * kShapesAtOnce;
-      fitters_[thread].fit(std::span(added_).subspan(first, std::min(kShapesAtOnce, count - first)),
-                           smoothing);
+      fitters_[thread].fit(std::span(added_).subspan(first, std::min(kShapesAtOnce, count - first)), options);
     });
   }
   for (std::size_t k = 0; k < steps; ++k) {

@@ -32,7 +32,7 @@ class SplineTable {
   /// fit_added().
   int place_of(std::span<const ShapeWord> words, ArcKind kind);
   /// Fits splines to all shapes added since the last call. \return how many they were.
-  int fit_added(Smoothing smoothing, Workers& workers);
+  int fit_added(const Options& options, Workers& workers);
   /// The number of the curve of a fitted shape's step.
   int number_at(int place) const { return numbers_[place]; }
 

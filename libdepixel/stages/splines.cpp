@@ -27,24 +27,24 @@ bool is_in_strip(const EdgeCurve& curve, bool southwards) {
 
 }  // namespace
 
-void SplineFitter::fit(std::span<const ArcShape> shapes, Smoothing smoothing) {
+void SplineFitter::fit(std::span<const ArcShape> shapes, const Options& options) {
   batch_.clear();
   std::size_t first = 0;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    placer_.add(shapes[i].words, shapes[i].kind, smoothing, static_cast<int>(i - first), batch_);
+    placer_.add(shapes[i].words, shapes[i].kind, options, static_cast<int>(i - first), batch_);
     if (batch_.size < kBatchEntries) continue;
-    fit_batch(shapes.subspan(first), smoothing);
+    fit_batch(shapes.subspan(first), options);
     first = i + 1;
   }
-  fit_batch(shapes.subspan(first), smoothing);
+  fit_batch(shapes.subspan(first), options);
 }
 
-void SplineFitter::fit_batch(std::span<const ArcShape> shapes, Smoothing smoothing) {
+void SplineFitter::fit_batch(std::span<const ArcShape> shapes, const Options& options) {
   if (batch_.members.empty()) return;
   batch_.settle();
-  if (smoothing == Smoothing::energy) minimize_energy(batch_, smoothing_);
+  if (options.smoothing == Smoothing::energy) minimize_energy(batch_, smoothing_);
   interpolate_nodes(batch_, interpolation_);
-  if (smoothing == Smoothing::average) average_control_points(batch_, smoothing_);
+  if (options.smoothing == Smoothing::average) average_control_points(batch_, smoothing_);
   corridor_.keep_clear(batch_, retracted_);
   curves_.compute(batch_, retracted_);
   for (const ArcBatch::Member& member : batch_.members) {

@@ -32,7 +32,7 @@ struct ArcShape {
 /// section 3.4.
 class SplineFitter {
  public:
-  void fit(std::span<const ArcShape> shapes, Smoothing smoothing);
+  void fit(std::span<const ArcShape> shapes, const Options& options);
 
   std::size_t memory_bytes() const {
     return held_bytes(retracted_) + placer_.memory_bytes() + batch_.memory_bytes() +
@@ -41,7 +41,7 @@ class SplineFitter {
   }
 
  private:
-  void fit_batch(std::span<const ArcShape> shapes, Smoothing smoothing);
+  void fit_batch(std::span<const ArcShape> shapes, const Options& options);
 
   NodePlacer placer_;
   ArcBatch batch_;

@@ -210,16 +210,13 @@ std::string SvgDocument::finish() const {
   svg.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"");
   svg.append(" xmlns:xlink=\"http://www.w3.org/1999/xlink\"").append(size);
   svg.append(" viewBox=\"").append(margin).append(" ").append(margin).append(" ").append(width);
-  svg.append(" ").append(height).append("\">
-");
+  svg.append(" ").append(height).append("\">\n");
   svg.append("<defs>\n<g id=\"shapes\">\n").append(opaque).append("</g>\n");
   constexpr std::string_view kCrisp = " shape-rendering=\"crispEdges\"";
   if (masked) {  // its stroke takes away pixels that the silhouette crosses, at scales up to 8
     svg.append("<mask id=\"inside\" maskUnits=\"userSpaceOnUse\"").append(origin).append(size);
-    svg.append(">
-<rect").append(margin_ > 0 ? origin : "").append(size);
-    svg.append(" fill=\"#fff\"/>
-<path").append(kCrisp);
+    svg.append(">\n<rect").append(margin_ > 0 ? origin : "").append(size);
+    svg.append(" fill=\"#fff\"/>\n<path").append(kCrisp);
     svg.append(" stroke=\"#000\" stroke-width=\".06\" stroke-linejoin=\"round\" d=\"");
     svg.append(beside).append("\"/>\n</mask>\n");
   }

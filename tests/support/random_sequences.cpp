@@ -271,6 +271,7 @@ void print(std::ostream& out, const Options& options) {
       << ", .dither = DitherKind::" << kDithers[static_cast<int>(options.dither)]
       << ", .spline = SplineKind::" << kSplines[static_cast<int>(options.spline)]
       << ", .smoothing = Smoothing::" << kSmoothings[static_cast<int>(options.smoothing)]
+      << ", .corners = Corners::" << (options.corners == Corners::round ? "round" : "sharp")
       << ", .curve_rule = CurveRule::"
       << (options.curve_rule == CurveRule::valence ? "valence" : "continuity")
       << ", .border = BorderKind::" << kBorders[static_cast<int>(options.border)]

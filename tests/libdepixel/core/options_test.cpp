@@ -59,6 +59,8 @@ TEST(Options, ChoiceNamesMatchTheirEnumerators) {
   EXPECT_EQ(options.smoothing, Smoothing::none);
   set("smoothing", "average");
   EXPECT_EQ(options.smoothing, Smoothing::average);
+  set("corners", "round");
+  EXPECT_EQ(options.corners, Corners::round);
 }
 
 TEST(Options, DefaultsLieWithinTheirRanges) {
@@ -99,7 +101,7 @@ TEST(Options, EveryFieldHasARow) {
     if (!(options == Options{})) ++changed;
   }
   EXPECT_EQ(changed, option_table().size());
-  EXPECT_EQ(changed, 15u);
+  EXPECT_EQ(changed, 16u);
 }
 
 }  // namespace

@@ -36,11 +36,12 @@ std::vector<EdgeCurve> curves_at(const SplineTable& table, int first, int count)
 }
 
 /// An arc's curves when it is the only one that is fitted.
-std::vector<EdgeCurve> fitted_alone(std::span<const ShapeWord> words, const Arc& arc, Smoothing smoothing) {
+std::vector<EdgeCurve> fitted_alone(std::span<const ShapeWord> words, const Arc& arc,
+                                    const Options& options) {
   std::vector<EdgeCurve> curves(arc.step_count());
   std::vector<TileMask> tiles(arc.step_count());
   const ArcShape shape{words, arc.kind, curves.data(), tiles.data()};
-  SplineFitter().fit(std::span(&shape, 1), smoothing);
+  SplineFitter().fit(std::span(&shape, 1), options);
   return curves;
 }
 
@@ -64,8 +65,8 @@ RC_GTEST_PROP(SplineTable, EqualShapesHaveEqualPlacesAndOthersTheirOwn, (const P
   }
   RC_ASSERT(table.places() == static_cast<std::size_t>(next));
   Workers workers;
-  RC_ASSERT(table.fit_added(options.smoothing, workers) == static_cast<int>(known.size()));
-  RC_ASSERT(table.fit_added(options.smoothing, workers) == 0);
+  RC_ASSERT(table.fit_added(options, workers) == static_cast<int>(known.size()));
+  RC_ASSERT(table.fit_added(options, workers) == 0);
 }
 
 RC_GTEST_PROP(SplineTable, CurvesAreThoseOfArcsFittedAlone, (const Picture& picture)) {
@@ -76,10 +77,10 @@ RC_GTEST_PROP(SplineTable, CurvesAreThoseOfArcsFittedAlone, (const Picture& pict
   workers.set_threads(options.threads);
   std::vector<int> first;
   for (const Arc& arc : arcs.list) first.push_back(table.place_of(arcs.words(arc), arc.kind));
-  table.fit_added(options.smoothing, workers);
+  table.fit_added(options, workers);
   for (std::size_t i = 0; i < arcs.list.size(); ++i) {
     const Arc& arc = arcs.list[i];
-    const auto alone = fitted_alone(arcs.words(arc), arc, options.smoothing);
+    const auto alone = fitted_alone(arcs.words(arc), arc, options);
     RC_ASSERT(curves_at(table, first[i], arc.step_count()) == alone);
     for (int k = 0; k < arc.step_count(); ++k) {
       const int number = table.number_at(first[i] + k);
@@ -95,7 +96,7 @@ RC_GTEST_PROP(SplineTable, EqualCurvesHaveEqualNumbersIfAskedFor, (const Picture
   SplineTable table(true);
   Workers workers;
   for (const Arc& arc : arcs.list) table.place_of(arcs.words(arc), arc.kind);
-  table.fit_added(options.smoothing, workers);
+  table.fit_added(options, workers);
   std::map<std::array<std::int16_t, 8>, int> numbers;
   for (int place = 0; place < static_cast<int>(table.places()); ++place) {
     const int number = table.number_at(place);
@@ -114,7 +115,7 @@ RC_GTEST_PROP(SplineTable, ShapesAddedLaterLeaveThoseBeforeAlone, (const Picture
   const auto add = [&](const Arcs& arcs) {
     std::vector<int> places;
     for (const Arc& arc : arcs.list) places.push_back(table.place_of(arcs.words(arc), arc.kind));
-    table.fit_added(options.smoothing, workers);
+    table.fit_added(options, workers);
     return places;
   };
   const std::vector<int> places = add(first);
@@ -139,7 +140,7 @@ TEST(SplineTable, ThreadsLeaveNoTrace) {
     Workers workers;
     workers.set_threads(threads);
     for (const Arc& arc : arcs.list) table.place_of(arcs.words(arc), arc.kind);
-    EXPECT_GT(table.fit_added(Smoothing::energy, workers), 500);
+    EXPECT_GT(table.fit_added(Options{}, workers), 500);
     const std::vector<EdgeCurve> curves = curves_at(table, 0, static_cast<int>(table.places()));
     if (threads == 1) expected = curves;
     EXPECT_TRUE(curves == expected);
@@ -178,7 +179,7 @@ TEST(SplineTable, JoinedCurvesAreFoundAgain) {
   SplineTable table;
   Workers workers;
   const int place = table.place_of(arcs.words(arcs.list[0]), arcs.list[0].kind);
-  table.fit_added(Smoothing::energy, workers);
+  table.fit_added(Options{}, workers);
   const int fitted = table.number_at(place);
   const EdgeCurve curve = table.curve(fitted);
   EXPECT_EQ(table.joined(fitted, true, curve.p0, curve.p3), fitted) << "its own ends";

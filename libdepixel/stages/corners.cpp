@@ -1,0 +1,233 @@
+#include "libdepixel/stages/corners.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace depixel {
+namespace {
+
+/// How far a corner stands out, at least, in pixels: more than the 4 of circles, for those of a few pixels
+/// and the tips of ellipses reach 5.2.
+constexpr float kHeight = 6.0f;
+/// How far from a node's lattice corner its arms may meet, along each axis, in pixels, unless they form a
+/// narrow tip. A node cannot go as far (ArcBatch::kReach): the tip is cut off there.
+constexpr float kStray = 0.9f;
+/// Narrower tips than this are not looked for: the square of the cotangent of half their angle, 35 degrees.
+constexpr float kNarrowest = 10.0f;
+/// Where the contour turns twice to the same side, a corner is at most so many steps from a turn.
+constexpr int kFromTurn = 3;
+/// Nodes this near to each other, in steps, are of the same corner.
+constexpr int kSameCorner = 3;
+/// Arms are laid on their lines up to the middle; from there on less and less.
+constexpr float kStraightPart = 0.5f;
+/// Steps of the long sides of a bar, at least, and of the short one at its end.
+constexpr int kBarLength = 4, kBarWidth = 2;
+
+constexpr float kFar = 1e9f;
+
+int cross(glm::ivec2 a, glm::ivec2 b) {
+  return a.x * b.y - a.y * b.x;
+}
+int dot(glm::ivec2 a, glm::ivec2 b) {
+  return a.x * b.x + a.y * b.y;
+}
+int squared_length(const DigitalLine& arm) {
+  return dot(arm.end(), arm.end());
+}
+
+/// The cosine of the angle between two arms.
+float cosine_between(const DigitalLine& a, const DigitalLine& b) {
+  const glm::ivec2 u = a.direction(), v = b.direction();
+  const float lengths = std::sqrt(static_cast<float>(dot(u, u)) * static_cast<float>(dot(v, v)));
+  return static_cast<float>(dot(u, v)) / lengths;
+}
+
+/// Whether a corner with these arms stands out.
+bool stands_out(const DigitalLine& a, const DigitalLine& b, float cosine) {
+  const auto shorter = static_cast<float>(std::min(squared_length(a), squared_length(b)));
+  return shorter * (0.5f * (1.0f + cosine)) >= kHeight * kHeight;
+}
+
+/// How far from their node two arms of a corner may meet, along an axis, squared: a tip that is narrower than
+/// a right angle goes on beyond its last pixel, by the cotangent of half its angle.
+float squared_stray(float cosine) {
+  return kStray * kStray * std::clamp((1.0f + cosine) / (1.0f - cosine), 1.0f, kNarrowest);
+}
+
+/// Where the lines of two arms of a node meet.
+std::optional<glm::vec2> meeting_point(const DigitalLine& a, const DigitalLine& b) {
+  const glm::ivec2 u = a.direction(), v = b.direction();
+  const int area = cross(u, v);
+  if (area == 0) return std::nullopt;
+  const glm::ivec2 p = v * a.twice_offset() - u * b.twice_offset();
+  const auto twice_area = static_cast<float>(2 * area);
+  return glm::vec2(static_cast<float>(p.x) / twice_area, static_cast<float>(p.y) / twice_area);
+}
+
+}  // namespace
+
+void CornerPlacer::place(std::span<const ShapeWord> words, const Runs& runs, const ArcBatch::Member& member,
+                         ArcBatch& batch) {
+  words_ = words;
+  batch_ = &batch;
+  member_ = member;
+  hold_bar_ends(runs);
+  if (static_cast<float>(member.step_count()) < 2 * kHeight) return;
+  find_candidates(runs);
+  find_corners();
+  if (corners_.empty()) return;
+  straighten_arms();
+}
+
+void CornerPlacer::hold_bar_ends(const Runs& runs) {
+  for (int k = 0; k < runs.count(); ++k) {
+    const Run& end = runs[k];
+    if (end.length != kBarWidth || end.turn_in == 0 || end.turn_in != end.turn_out) continue;
+    if (runs.neighbour(k, -1)->length < kBarLength || runs.neighbour(k, 1)->length < kBarLength) continue;
+    for (const int node : {end.start, end.start + kBarWidth}) {
+      const int i = member_.first + wrapped(node);
+      if (batch_->role[i] != NodeRole::free) continue;
+      batch_->set_role(i, NodeRole::sharp);
+      batch_->x[i] = batch_->y[i] = 0;
+    }
+  }
+}
+
+/// No digital straight segment goes on where the contour turns twice to the same side, or turns between two
+/// runs of two steps or more; and two that meet at more than 45 degrees have such a place between them.
+void CornerPlacer::find_candidates(const Runs& runs) {
+  candidates_.clear();
+  const auto add = [&](int node) {
+    if (batch_->role[member_.first + wrapped(node)] != NodeRole::sharp) candidates_.push_back(wrapped(node));
+  };
+  for (int k = 0; k < runs.count(); ++k) {
+    const Run& run = runs[k];
+    if (run.turn_out != 0 && run.length > 1 && runs.neighbour(k, 1)->length > 1) add(run.start + run.length);
+    if (run.turn_in == 0 || run.turn_in != run.turn_out) continue;
+    for (int j = 0; j <= run.length; ++j) {
+      if (std::min(j, run.length - j) <= kFromTurn) add(run.start + j);
+    }
+  }
+  std::sort(candidates_.begin(), candidates_.end());
+  candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
+}
+
+/// The step that leaves a node in the arc's direction (1) or against it (-1).
+Direction CornerPlacer::step_from(int node, int direction) const {
+  return direction > 0 ? words_[node].heading() : opposite(words_[wrapped(node - 1)].heading());
+}
+
+DigitalLine CornerPlacer::arm(int node, int direction) const {
+  const int beyond = direction > 0 ? member_.count - 1 - node : node;
+  const int steps = std::min(kLongestArm, member_.closed ? member_.count / 2 : beyond);
+  DigitalLine line;
+  for (int k = 0; k < steps; ++k) {
+    if (!line.grow(step_from(wrapped(node + direction * k), direction))) break;
+  }
+  return line;
+}
+
+void CornerPlacer::find_corners() {
+  corners_.clear();
+  for (const int node : candidates_) {
+    const DigitalLine before = arm(node, -1);
+    if (static_cast<float>(squared_length(before)) < kHeight * kHeight) continue;
+    const DigitalLine after = arm(node, 1);
+    const float cosine = cosine_between(before, after);
+    if (!stands_out(before, after, cosine)) continue;
+    const std::optional<glm::vec2> meeting = meeting_point(before, after);
+    if (!meeting || std::max(meeting->x * meeting->x, meeting->y * meeting->y) > squared_stray(cosine))
+      continue;
+    corners_.push_back({node, before, after, *meeting});
+  }
+  if (corners_.empty()) return;
+  distances_.assign(member_.count, kFar);
+  for (const Corner& c : corners_) {
+    distances_[c.node] = c.meeting.x * c.meeting.x + c.meeting.y * c.meeting.y;
+  }
+  std::erase_if(corners_, [&](const Corner& c) { return !is_tip(c.node); });
+}
+
+float CornerPlacer::distance(int node) const {
+  if (member_.closed) return distances_[wrapped(node)];
+  return node < 0 || node >= member_.count ? kFar : distances_[node];
+}
+
+/// Whether a node lies between two that are equally near to where their arms meet: the contour is symmetric.
+bool CornerPlacer::is_middle(int node) const {
+  return distance(node) != kFar && distance(node - 1) != kFar && distance(node - 1) == distance(node + 1);
+}
+
+/// Whether a node is that of its corner: in the middle, or the nearest to where its arms meet. A tip one step
+/// wide has two.
+bool CornerPlacer::is_tip(int node) const {
+  if (is_middle(node)) return true;
+  for (int j = 1; j <= kSameCorner; ++j) {
+    for (const int other : {node - j, node + j}) {
+      const bool is_nearer = distance(other) < distance(node) || (j > 1 && distance(other) == distance(node));
+      if (is_nearer || is_middle(other)) return false;
+    }
+  }
+  return true;
+}
+
+void CornerPlacer::straighten_arms() {
+  pulls_.assign(member_.count, {});
+  const int count = static_cast<int>(corners_.size());
+  const auto steps_between = [&](int from, int to) {
+    if (from < to) return to - from;
+    return member_.closed ? to - from + member_.count : member_.count;
+  };
+  for (int k = 0; k < count; ++k) {
+    const Corner& corner = corners_[k];
+    const int previous = corners_[k == 0 ? count - 1 : k - 1].node;
+    const int next = corners_[k + 1 == count ? 0 : k + 1].node;
+    pull_to(corner.before, corner.node, -1, steps_between(previous, corner.node) - 1);
+    pull_to(corner.after, corner.node, 1, steps_between(corner.node, next) - 1);
+    const int i = member_.first + corner.node;
+    batch_->set_role(i, NodeRole::sharp);
+    batch_->x[i] = corner.meeting.x;
+    batch_->y[i] = corner.meeting.y;
+  }
+  apply_pulls();
+}
+
+/// Pulls the nodes of a corner's arm, up to `last` steps away, towards the arm's line. So no more than two
+/// lines pull at a node: their sum does not depend on their order.
+void CornerPlacer::pull_to(const DigitalLine& line, int node, int direction, int last) {
+  const glm::ivec2 along = line.direction();
+  const auto x = static_cast<float>(along.x), y = static_cast<float>(along.y);
+  const auto length2 = static_cast<float>(dot(along, along));
+  const auto steps = static_cast<float>(line.steps());
+  glm::ivec2 offset{0};
+  for (int k = 1; k <= std::min(line.steps(), last); ++k) {
+    offset += kStep[step_from(node, direction)];
+    node = wrapped(node + direction);
+    const int i = member_.first + node;
+    const float corner_off = 0.5f * static_cast<float>(2 * cross(along, offset) - line.twice_offset());
+    const float off = (corner_off + (x * batch_->rest_y[i] - y * batch_->rest_x[i])) / length2;
+    const float weight = std::min(1.0f, (1.0f - static_cast<float>(k) / steps) / (1.0f - kStraightPart));
+    Pull& pull = pulls_[node];
+    pull.move_x += weight * (off * y);
+    pull.move_y -= weight * (off * x);
+    pull.weight += weight;
+  }
+}
+
+void CornerPlacer::apply_pulls() {
+  for (int node = 0; node < member_.count; ++node) {
+    const Pull& pull = pulls_[node];
+    const int i = member_.first + node;
+    if (pull.weight == 0 || batch_->role[i] != NodeRole::free) continue;
+    const float to_x = batch_->rest_x[i] + pull.move_x / pull.weight;
+    const float to_y = batch_->rest_y[i] + pull.move_y / pull.weight;
+    const float part = std::min(1.0f, pull.weight);
+    batch_->x[i] += part * (to_x - batch_->x[i]);
+    batch_->y[i] += part * (to_y - batch_->y[i]);
+    batch_->rest_x[i] += part * (to_x - batch_->rest_x[i]);
+    batch_->rest_y[i] += part * (to_y - batch_->rest_y[i]);
+  }
+}
+
+}  // namespace depixel
