@@ -100,7 +100,7 @@ class Drawer {
 
   /// Squares are the cells of a graph without links.
   void fill_squares(const FrameView& frame) {
-    drawing_.graph = stages_.graph();
+    drawing_.graph.resize(Lattice(frame.width, frame.height, frame.margin));
     remove_links();
     for (int y = 0; y < frame.height; ++y) take_pixels(frame, y, 0, frame.width, drawing_.graph);
     fill_cells(CellShape::simplified);

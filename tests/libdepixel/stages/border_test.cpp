@@ -90,6 +90,7 @@ RC_GTEST_PROP(Border, ShowsThePartOfAWiderPicture, (const Picture& picture)) {
   constexpr int kScale = 5;
   Options options = *random_options();
   options.border = random_kind();
+  options.dither = DitherKind::keep;  // dithers are looked for before
   const int width = kScale * picture.width, height = kScale * picture.height;
   const Picture shown = drawn(picture, options, {kScale, kScale, 0, 0}, width, height);
   const Picture wider = wide(picture, options.border);
