@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -68,6 +70,19 @@ inline Float8 clamp8(Float8 v, float low, float high) {
   const Float8 lows = Float8{} + low, highs = Float8{} + high;
   v = v < lows ? lows : v;
   return v > highs ? highs : v;
+}
+
+/// Two doubles that are worked on together.
+using Double2 = double __attribute__((vector_size(16)));
+
+/// Both as the nearest integers, of two the even one.
+inline std::array<std::int32_t, 2> nearest_integers(Double2 v) {
+#ifdef __SSE2__
+  return std::bit_cast<std::array<std::int32_t, 2>>(
+      _mm_cvtsi128_si64(_mm_cvtpd_epi32(reinterpret_cast<__m128d>(v))));
+#else
+  return {static_cast<std::int32_t>(std::lrint(v[0])), static_cast<std::int32_t>(std::lrint(v[1]))};
+#endif
 }
 
 /// Four integers that are worked on together.

@@ -1,21 +1,11 @@
 #include "libdepixel/incremental/incremental_vectorizer.hpp"
 
 #include <algorithm>
-#include <bit>
 
 #include "libdepixel/incremental/byte_rows.hpp"
 
 namespace depixel {
 namespace {
-
-/// The table is made anew when its shapes have more steps than this for each pixel of the frame; a frame adds
-/// a few more.
-constexpr double kPlacesAPixel = 1.25, kAddedPlacesAPixel = 0.75;
-constexpr double kFewestPlaces = 1 << 14;
-
-double most_places(const Lattice& lattice) {
-  return std::max(kFewestPlaces, kPlacesAPixel * lattice.width() * lattice.height());
-}
 
 /// Where more than this part of the tiles is new, all are taken to be: looking for the others costs more than
 /// it saves.
@@ -41,8 +31,8 @@ void IncrementalVectorizer::vectorize(const FrameView& input, const Options& opt
   StageClock clock(stats_);
   workers_.set_threads(options.threads);
   const Lattice size = Border::lattice_of(input, options.border);
-  const bool is_known = options_ && *options_ == of_vectorizing(options) && lattice() == size &&
-                        table_.places() <= place_limit_;
+  const bool is_known =
+      options_ && *options_ == of_vectorizing(options) && lattice() == size && !edges_.has_many_shapes();
   options_ = of_vectorizing(options);
   const FrameView frame = border_.continued(blended(input, options, is_known), options.border);
   stats_.changed_pixels = stats_.stale_corners = stats_.changed_tiles = stats_.moved_tiles = 0;
@@ -56,7 +46,8 @@ void IncrementalVectorizer::vectorize(const FrameView& input, const Options& opt
     return;
   } else {
     blocks_.find(frame, graph(), guess_.guess(frame, graph()));
-    blocks_.any_moved() ? move_blocks_of_map() : settle_before();
+    edges_.start(blocks_);
+    blocks_.any_moved() ? move_cells() : settle_colours();
   }
   stats_.changed_pixels = blocks_.changed_pixels();
   is_map_made_ = false;
@@ -66,32 +57,31 @@ void IncrementalVectorizer::vectorize(const FrameView& input, const Options& opt
   stats_.crossings = graph_.crossings();
   clock.finish(1);
 
-  is_whole_ = !is_known || graph_.is_new();
-  if (is_whole_) {
+  is_new_ = !is_known || graph_.is_new();
+  if (is_new_) {
     build_cells();
   } else {
     recolour();
     encode();
     mark();
     add_seams();
-    is_whole_ = has_many_stale();
+    is_new_ = has_many_stale();
   }
   clock.finish(2);
 
-  trace();
+  if (is_new_) {
+    edges_.trace_all(cells_, marks_, options);
+  } else {
+    edges_.trace_stale(cells_, marks_, stale_, stale_codes_, options, blocks_, rules_);
+  }
   clock.finish(3);
 
-  fit();
-  join();
+  edges_.fit(cells_, options, rules_, workers_);
   clock.finish(4);
 
   std::swap(shading_, shading_before_);
   build_shading(graph(), cells_, options, shading_);
-  is_whole_ ? set_all_changed() : compare();
-  if (!is_known) {
-    // Frames like noise have more shapes of their own.
-    place_limit_ = std::max(static_cast<std::size_t>(most_places(size)), 2 * table_.places());
-  }
+  is_new_ ? set_all_changed() : compare();
   count();
   clock.finish(5);
 }
@@ -108,7 +98,12 @@ void IncrementalVectorizer::count() {
   stats_.pixels = lattice.width() * lattice.height();
   stats_.changed_tiles = changes_.everything ? stats_.pixels : changes_.new_tiles;
   stats_.moved_tiles = changes_.everything ? 0 : changes_.moved_tiles;
-
+  stats_.stale_corners = static_cast<int>(stale_.size());
+  stats_.contours = static_cast<int>(edges_.contours().list.size());
+  stats_.nodes = static_cast<int>(edges_.contours().corner.size());
+  stats_.arcs = static_cast<int>(edges_.arcs().list.size());
+  stats_.fitted_shapes = edges_.fitted_shapes();
+  stats_.segments = edges_.segments();
   stats_.memory_bytes = memory_bytes();
 }
 
@@ -117,59 +112,38 @@ void IncrementalVectorizer::forget(const Lattice& lattice) {
   graph_.reset(lattice);
   cells_.lattice = {};
   cells_.resize(lattice);
-  marks_.assign(lattice.size() + sizeof(Byte16), 1);  // as all pixels without links are
-  table_.clear();
-  table_.reserve(static_cast<std::size_t>(most_places(lattice) +
-                                          kAddedPlacesAPixel * lattice.width() * lattice.height()));
-  votes_.clear();
-  edges_.lattice = lattice;
-  edges_.curve.assign(2 * std::size_t(lattice.size()), 0);
-  curves_before_.assign(edges_.curve.size(), 0);
+  marks_.assign(lattice.size() + sizeof(Byte16), kThinLine);  // as all pixels without links are
+  edges_.reset(lattice);
   codes_before_.assign(lattice.size(), CornerCode{});
   colours_before_.assign(lattice.size(), Rgba{});
-  is_slot_set_.assign(edges_.curve.size(), 0);
-  set_curves_.clear();
   stale_.clear();
   changed_colours_.clear();
-  is_before_settled_ = false;
+  are_colours_settled_ = false;
   is_opaque_ = false;
-  stats_.segments = 0;
 }
 
-/// What is of this frame becomes that of the frame before. The next frame's is the same until it changes.
-void IncrementalVectorizer::settle_before() {
-  if (is_before_settled_) {
-    for (const SetCurve& set : set_curves_) curves_before_[set.slot] = edges_.curve[set.slot];
+/// The colours of this frame become those of the frame before. The next frame's are the same until they
+/// change.
+void IncrementalVectorizer::settle_colours() {
+  if (are_colours_settled_) {
     for (const int pixel : changed_colours_) colours_before_[pixel] = cells_.colours[pixel];
   } else {
-    curves_before_ = edges_.curve;
     colours_before_ = cells_.colours;
   }
-  is_before_settled_ = true;
-  forget_set_curves();
-}
-
-void IncrementalVectorizer::forget_set_curves() {
-  for (const SetCurve& set : set_curves_) is_slot_set_[set.slot] = 0;
-  set_curves_.clear();
+  are_colours_settled_ = true;
 }
 
 /// What is of this frame becomes that of the frame before; and, moved as its blocks were, that of this frame
 /// until it changes. Nothing is known of what a move uncovers.
-void IncrementalVectorizer::move_blocks_of_map() {
+void IncrementalVectorizer::move_cells() {
   const GridPart pixels = GridPart::pixels(lattice());
   std::swap(cells_.colours, colours_before_);
   std::swap(cells_.corners, codes_before_);
-  std::swap(edges_.curve, curves_before_);
   move_blocks(blocks_, pixels, kUnknownColour, colours_before_, cells_.colours);
   move_blocks(blocks_, GridPart::corners(lattice()), CornerCode{}, codes_before_, cells_.corners);
-  move_blocks(blocks_, GridPart::corners(lattice(), 2), 0, curves_before_, edges_.curve);
   moved_marks_ = marks_;
   move_blocks(blocks_, pixels, PixelMarks{0}, moved_marks_, marks_);
-  const auto hidden = std::count(edges_.curve.begin(), edges_.curve.end(), 0);
-  stats_.segments = static_cast<int>(static_cast<std::ptrdiff_t>(edges_.curve.size()) - hidden);
-  is_before_settled_ = false;
-  forget_set_curves();
+  are_colours_settled_ = false;
 }
 
 /// Those of the frame, where cells are made of whole ones; else none.
@@ -312,107 +286,24 @@ void IncrementalVectorizer::add_stale(int corner, CornerCode before) {
   stale_codes_.push_back(before);
 }
 
-/// Rule::edges_by_codes.
-void IncrementalVectorizer::remove_edges() {
-  const std::array<int, 4> step = lattice().step_offsets();
-  for (std::size_t i = 0; i < stale_.size(); ++i) {
-    const CornerCode now = cells_.corners[stale_[i]];
-    auto gone = static_cast<unsigned>(stale_codes_[i].visible_edges() & ~now.visible_edges());
-    for (; gone != 0; gone &= gone - 1) {
-      const int slot = edge_end(stale_[i], static_cast<Direction>(std::countr_zero(gone)), step).slot;
-      if (edges_.curve[slot] == 0) continue;  // seen from the other end
-      set_curve(slot, 0);
-    }
-  }
-}
-
-/// Rule::curves_by_codes.
-void IncrementalVectorizer::trace() {
-  if (is_whole_) {
-    trace_contours(cells_, contours_);
-  } else {
-    if (rules_.has(Rule::edges_by_codes)) remove_edges();
-    std::span<const int> traced = stale_;
-    if (!rules_.has(Rule::curves_by_codes)) traced = traced.first(traced.size() / 2);
-    trace_contours_through(cells_, traced, contours_);
-  }
-  cut_arcs(cells_, contours_, marks_, options_->spline, options_->smoothing, arcs_);
-  stats_.stale_corners = static_cast<int>(stale_.size());
-  stats_.contours = static_cast<int>(contours_.list.size());
-  stats_.nodes = static_cast<int>(contours_.corner.size());
-  stats_.arcs = static_cast<int>(arcs_.list.size());
-}
-
-void IncrementalVectorizer::set_curve(int slot, int number) {
-  if (edges_.curve[slot] == number) return;
-  if (is_slot_set_[slot] == 0) {
-    is_slot_set_[slot] = 1;
-    set_curves_.push_back({slot, edges_.curve[slot]});
-  }
-  stats_.segments += (number != 0 ? 1 : 0) - (edges_.curve[slot] != 0 ? 1 : 0);
-  edges_.curve[slot] = number;
-}
-
-void IncrementalVectorizer::fit() {
-  const std::array<int, 4> step = lattice().step_offsets();
-  votes_.start_frame();
-  for (Arc& arc : arcs_.list) {
-    arc.place = table_.place_of(arcs_.words(arc), arc.kind);
-    votes_.see(arc.place, arcs_.corner[arc.first], arc.count, lattice());
-  }
-  stats_.fitted_shapes = table_.fit_added(*options_, workers_);
-  if (!is_whole_) {
-    for (const Arc& arc : arcs_.list) {
-      for_each_edge(arcs_, arc, table_, step, [&](int slot, int number) { set_curve(slot, number); });
-    }
-    return;
-  }
-  std::fill(edges_.curve.begin(), edges_.curve.end(), 0);
-  stats_.segments = 0;
-  for (const Arc& arc : arcs_.list) {
-    for_each_edge(arcs_, arc, table_, step, [&](int slot, int number) { edges_.curve[slot] = number; });
-    stats_.segments += arc.step_count();
-  }
-}
-
-/// Rule::joints_by_curves: all T-junctions that contours end at or go through.
-void IncrementalVectorizer::join() {
-  const auto join = [&](int corner) { return join_at(corner, cells_, edges_, table_); };
-  if (is_whole_) {
-    for_each_joint(contours_, cells_, [&](int corner) {
-      const JoinedEdge joined = join(corner);
-      edges_.curve[joined.slot] = joined.curve;
-    });
-    return;
-  }
-  const auto join_and_tell = [&](int corner) {
-    const JoinedEdge joined = join(corner);
-    set_curve(joined.slot, joined.curve);
-  };
-  if (!rules_.has(Rule::joints_by_curves)) return for_each_joint(contours_, cells_, join_and_tell);
-  for (const int corner : contours_.corner) {
-    if (cells_.is_t_junction(corner)) join_and_tell(corner);
-  }
-}
-
 bool IncrementalVectorizer::has_many_stale() const {
-  return static_cast<double>(stale_.size()) > kMostStale * stats_.segments &&
+  return static_cast<double>(stale_.size()) > kMostStale * edges_.segments() &&
          is_most(lattice(), kFewestStale, stale_.size());
 }
 
 /// Nothing is told of what differs from the frame before. What may have moved is tried next time.
 void IncrementalVectorizer::set_all_changed() {
   changes_.everything = true;
-  is_before_settled_ = false;
-  for (const glm::ivec2 move : votes_.most_voted()) guess_.remember(move);
+  are_colours_settled_ = false;
+  for (const glm::ivec2 move : edges_.votes().most_voted()) guess_.remember(move);
 }
 
 void IncrementalVectorizer::compare() {
   if (is_most(lattice(), kMostNew, changed_colours_.size())) return set_all_changed();
-  const MapPair maps{lattice(),     table_,         edges_.curve,    curves_before_, cells_.corners,
-                     codes_before_, cells_.colours, colours_before_, shading_,       shading_before_};
-  comparison_.find_new(maps, blocks_, set_curves_, changed_colours_, rules_, changes_);
-  comparison_.find_moved(maps, blocks_, set_curves_, votes_.most_voted(), changes_);
+  const MapPair maps{lattice(),     edges_.table(), edges_.edges().curve, edges_.before(), cells_.corners,
+                     codes_before_, cells_.colours, colours_before_,      shading_,        shading_before_};
+  comparison_.find_new(maps, blocks_, edges_.set(), changed_colours_, rules_, changes_);
+  comparison_.find_moved(maps, blocks_, edges_.set(), edges_.votes().most_voted(), changes_);
   std::for_each(changes_.moves.rbegin(), changes_.moves.rend(),
                 [&](glm::ivec2 move) { guess_.remember(move); });
   if (is_most(lattice(), kMostNew, changes_.new_tiles)) changes_.everything = true;
@@ -428,11 +319,9 @@ std::size_t IncrementalVectorizer::memory_bytes() const {
   return dithers_.memory_bytes() + border_.memory_bytes() + graph_.memory_bytes() + blocks_.memory_bytes() +
          components_.memory_bytes() + cells_.memory_bytes() + shading_.memory_bytes() +
          shading_before_.memory_bytes() +
-         held_bytes(colours_before_, changed_colours_, marks_, stale_, stale_codes_, curves_before_,
-                    set_curves_, is_slot_set_, codes_before_, row_before_, marks_before_, moved_marks_,
-                    unpainted_) +
-         contours_.memory_bytes() + arcs_.memory_bytes() + votes_.memory_bytes() + guess_.memory_bytes() +
-         table_.memory_bytes() + edges_.memory_bytes() + comparison_.memory_bytes() +
+         held_bytes(colours_before_, changed_colours_, marks_, stale_, stale_codes_, codes_before_,
+                    row_before_, marks_before_, moved_marks_, unpainted_) +
+         guess_.memory_bytes() + edges_.memory_bytes() + comparison_.memory_bytes() +
          changes_.memory_bytes() + map_.memory_bytes();
 }
 

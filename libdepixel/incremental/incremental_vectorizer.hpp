@@ -5,10 +5,10 @@
 
 #include "libdepixel/incremental/block_moves.hpp"
 #include "libdepixel/incremental/dither_updater.hpp"
+#include "libdepixel/incremental/incremental_edges.hpp"
 #include "libdepixel/incremental/incremental_graph.hpp"
 #include "libdepixel/incremental/map_comparison.hpp"
 #include "libdepixel/incremental/move_guess.hpp"
-#include "libdepixel/incremental/move_votes.hpp"
 #include "libdepixel/incremental/rules.hpp"
 #include "libdepixel/pipeline/vectorizer.hpp"
 
@@ -36,14 +36,14 @@ class IncrementalVectorizer {
   /// Resolved. Its pixels are the frame's, with dithers blended if asked for.
   const SimilarityGraph& graph() const { return graph_.resolved(); }
   const CellGraph& cells() const { return cells_; }
-  const EdgeMap& edges() const { return edges_; }
-  const SplineTable& table() const { return table_; }
+  const EdgeMap& edges() const { return edges_.edges(); }
+  const SplineTable& table() const { return edges_.table(); }
   const std::vector<Rgba>& colours() const { return cells_.colours; }
   const Shading& shading() const { return shading_; }
   const Lattice& lattice() const { return graph_.lattice(); }
   /// True where nothing of the frame lets anything through.
   bool is_opaque() const { return is_opaque_; }
-  MapByEdge by_edge() const { return {edges_, table_, cells_.colours, shading_}; }
+  MapByEdge by_edge() const { return {edges(), table(), cells_.colours, shading_}; }
   /// The map as a list of segments; made when it is asked for, and kept until the next frame.
   const PlanarMap& map() const;
   const VectorizeStats& stats() const { return stats_; }
@@ -51,9 +51,8 @@ class IncrementalVectorizer {
  private:
   FrameView blended(const FrameView& frame, const Options& options, bool is_known);
   void forget(const Lattice& lattice);
-  void settle_before();
-  void forget_set_curves();
-  void move_blocks_of_map();
+  void settle_colours();
+  void move_cells();
   const Components* find_components();
   void build_cells();
   void recolour();
@@ -65,15 +64,10 @@ class IncrementalVectorizer {
   void add_seams();
   bool has_new_mark_beside(glm::ivec2 beyond, const BlockMoves::Seam& seam) const;
   void add_stale(int corner, CornerCode before);
-  void remove_edges();
-  void trace();
-  void fit();
-  void join();
   bool has_many_stale() const;
   void set_all_changed();
   void compare();
   void count();
-  void set_curve(int slot, int number);
   std::size_t memory_bytes() const;
 
   RuleSet rules_;
@@ -93,21 +87,13 @@ class IncrementalVectorizer {
   Shading shading_, shading_before_;
   std::vector<PixelMarks> marks_;
 
-  bool is_whole_ = false;                ///< all contours are traced again
+  bool is_new_ = false;                  ///< hardly anything of the frame before is worth a look
   std::vector<int> stale_;               ///< corners whose contours are to be traced again
   std::vector<CornerCode> stale_codes_;  ///< what their codes were
-  Contours contours_;                    ///< those that were traced again
-  Arcs arcs_;
-  MoveVotes votes_;
+  IncrementalEdges edges_;
 
-  SplineTable table_{true};
-  std::size_t place_limit_ = 0;  ///< with more places, the table is made anew
-  EdgeMap edges_;
-  std::vector<int> curves_before_;
-  std::vector<SetCurve> set_curves_;       ///< set in this frame
-  std::vector<std::uint8_t> is_slot_set_;  ///< by slot
-  std::vector<CornerCode> codes_before_;   ///< read where the frame moved
-  bool is_before_settled_ = false;  ///< what is called before is as it is now, but for what was set since
+  std::vector<CornerCode> codes_before_;  ///< read where the frame moved
+  bool are_colours_settled_ = false;      ///< those before are those now, but for what changed since
 
   MapComparison comparison_;
   MapChanges changes_;

@@ -163,8 +163,8 @@ class BandSums {
     state.done = first + groups * kGroup;
   }
 
-  /// What a pixel leaves to the next is carried along.
-  void add_slice(const LineSlicer::Slice& slice, const Change& change) {
+  /// What a pixel leaves to the next is carried along. Inlined: there are several slices to a line.
+  [[gnu::always_inline]] void add_slice(const LineSlicer::Slice& slice, const Change& change) {
     Sums* sums = sums_.data() + slice.row * stride();
     std::uint8_t* touched = touched_.row(slice.row);
     Sums carried{};

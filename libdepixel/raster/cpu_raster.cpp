@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "libdepixel/raster/curve_to_output.hpp"
 #include "libdepixel/raster/flatten.hpp"
 
 namespace depixel {
@@ -13,14 +14,23 @@ int bands_of(const OutputGrid& grid) {
   return (grid.target.height + kBandRows - 1) / kBandRows;
 }
 
-/// How far a segment reaches upwards and downwards, in subpixels of the source.
+/// How far a curve reaches upwards and downwards, of the ordinates of its points.
 struct Reach {
-  explicit Reach(const Segment& s)
-      : top(std::min(std::min(s.p0.y, s.p1.y), std::min(s.p2.y, s.p3.y))),
-        bottom(std::max(std::max(s.p0.y, s.p1.y), std::max(s.p2.y, s.p3.y))) {}
+  Reach(int y0, int y1, int y2, int y3)
+      : top(std::min(std::min(y0, y1), std::min(y2, y3))),
+        bottom(std::max(std::max(y0, y1), std::max(y2, y3))) {}
+  bool is_level() const { return top == bottom; }
 
   int top, bottom;
 };
+
+template <typename Sums>
+void add_segment(const Segment& s, const std::vector<Rgba>& colours, const OutputGrid& grid, Sums& sums) {
+  const auto change = Sums::change(colours[s.right], colours[s.left]);
+  flatten(grid(s.p0), grid(s.p1), grid(s.p2), grid(s.p3),
+          flattening_pieces(s.p0, s.p1, s.p2, s.p3, grid.scale),
+          [&](glm::ivec2 a, glm::ivec2 b) { sums.add_line(a.x, a.y, b.x, b.y, change); });
+}
 
 }  // namespace
 
@@ -30,7 +40,8 @@ void CpuRaster::sort_into_bands(const PlanarMap& map, const OutputGrid& grid, in
   ranges_.resize(segments.size());
   first_.assign(bands + 1, 0);
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    const Reach reach(segments[i]);
+    const Segment& s = segments[i];
+    const Reach reach(s.p0.y, s.p1.y, s.p2.y, s.p3.y);
     const int top = grid.y(reach.top), bottom = grid.y(reach.bottom);
     const bool is_seen = top < bottom && bottom > 0 && top < bands * kBandHeight;
     ranges_[i] =
@@ -47,26 +58,61 @@ void CpuRaster::sort_into_bands(const PlanarMap& map, const OutputGrid& grid, in
   }
 }
 
-template <typename Visit>
-void CpuRaster::for_each_in_band(const PlanarMap& map, const OutputGrid&, int band, Visit visit) const {
-  for (int i = first_[band]; i < first_[band + 1]; ++i) visit(map.segments[order_[i]]);
+template <typename Sums>
+void CpuRaster::add_curves(const PlanarMap& map, const std::vector<Rgba>& colours, const OutputGrid& grid,
+                           int band, Sums& sums) const {
+  for (int i = first_[band]; i < first_[band + 1]; ++i) {
+    const Segment& s = map.segments[order_[i]];
+    add_segment(s, colours, grid, sums);
+  }
 }
 
-/// No curve reaches a pixel beyond its edge, so only a few rows of corners matter. Level segments do not.
-template <typename Visit>
-void CpuRaster::for_each_in_band(const MapByEdge& map, const OutputGrid& grid, int band, Visit visit) const {
+/// No curve reaches a pixel beyond its edge, so only a few rows of corners matter. Level curves do not.
+template <typename Sums>
+void CpuRaster::add_curves(const MapByEdge& map, const std::vector<Rgba>& colours, const OutputGrid& grid,
+                           int band, Sums& sums) const {
   // In subpixels of the source.
   const std::int64_t top = grid.y.first_at(band * kBandHeight + 1);
   const std::int64_t bottom = grid.y.first_at((band + 1) * kBandHeight);
   const std::int64_t height = grid.lattice.height();
   const auto first = static_cast<int>(std::clamp<std::int64_t>(top / kSubpixels - 1, 0, height));
   const auto last = static_cast<int>(std::clamp<std::int64_t>(bottom / kSubpixels + 1, 0, height));
+  const bool is_whole = CurveToOutput::fits(grid);
   for (int y = first; y <= last; ++y) {
+    if (is_whole) {
+      add_row(map, colours, grid, y, band, sums);
+      continue;
+    }
     for_each_segment(map, y, [&](const Segment& s) {
-      const Reach reach(s);
-      if (reach.top < reach.bottom && reach.bottom >= top && reach.top < bottom) visit(s);
+      const Reach reach(s.p0.y, s.p1.y, s.p2.y, s.p3.y);
+      if (reach.bottom >= top && reach.top < bottom && !reach.is_level()) add_segment(s, colours, grid, sums);
     });
   }
+}
+
+/// The same for the edges that leave a row of corners, where all has its place by whole output pixels.
+template <typename Sums>
+void CpuRaster::add_row(const MapByEdge& map, const std::vector<Rgba>& colours, const OutputGrid& grid, int y,
+                        int band, Sums& sums) const {
+  const CurveToOutput to_output(grid);
+  const int stride = map.edges.lattice.stride(), row = grid.row(y);
+  const int first_column = grid.column(0), step = grid.x.whole_scale() * kRasterSubpixels;
+  const int top = band * kBandHeight - row, bottom = top + kBandHeight;
+  for_each_visible_edge(map, y, [&](int number, int corner, int x, bool southwards) {
+    const EdgeCurve& curve = map.table.curve(number);
+    const CurveToOutput::Points p = to_output(curve);
+    const Reach reach(p[0].y, p[1].y, p[2].y, p[3].y);
+    if (reach.bottom <= top || reach.top >= bottom || reach.is_level()) return;
+    const EdgeSides sides = sides_of(corner, southwards, stride);
+    const auto change = Sums::change(colours[sides.right], colours[sides.left]);
+    const glm::ivec2 owner(first_column + x * step, row);
+    flatten(p[0], p[1], p[2], p[3],
+            flattening_pieces(glm::ivec2(curve.p0), glm::ivec2(curve.p1), glm::ivec2(curve.p2),
+                              glm::ivec2(curve.p3), grid.scale),
+            [&](glm::ivec2 a, glm::ivec2 b) {
+              sums.add_line(owner.x + a.x, owner.y + a.y, owner.x + b.x, owner.y + b.y, change);
+            });
+  });
 }
 
 template <typename Map, typename Sums>
@@ -77,12 +123,7 @@ void CpuRaster::draw_band(const Map& map, const std::vector<Rgba>& colours, cons
   const int rows = std::min(kBandRows, grid.target.height - first_row);
   sums.resize(grid.target.width);
   sums.start(first_row, rows);
-  for_each_in_band(map, grid, band, [&](const Segment& s) {
-    const auto change = Sums::change(colours[s.right], colours[s.left]);
-    flatten(grid(s.p0), grid(s.p1), grid(s.p2), grid(s.p3),
-            flattening_pieces(s.p0, s.p1, s.p2, s.p3, grid.scale),
-            [&](glm::ivec2 a, glm::ivec2 b) { sums.add_line(a.x, a.y, b.x, b.y, change); });
-  });
+  add_curves(map, colours, grid, band, sums);
   // The border: on the left, the picture begins; on the right, it ends.
   const int west = grid.column(0), east = grid.column(lattice.width());
   const int top = first_row * kRasterSubpixels, bottom = top + rows * kRasterSubpixels;

@@ -49,10 +49,15 @@ class CpuRaster {
   };
 
   void sort_into_bands(const PlanarMap& map, const OutputGrid& grid, int bands);
-  template <typename Visit>
-  void for_each_in_band(const PlanarMap& map, const OutputGrid& grid, int band, Visit visit) const;
-  template <typename Visit>
-  void for_each_in_band(const MapByEdge& map, const OutputGrid& grid, int band, Visit visit) const;
+  template <typename Sums>
+  void add_curves(const PlanarMap& map, const std::vector<Rgba>& colours, const OutputGrid& grid, int band,
+                  Sums& sums) const;
+  template <typename Sums>
+  void add_curves(const MapByEdge& map, const std::vector<Rgba>& colours, const OutputGrid& grid, int band,
+                  Sums& sums) const;
+  template <typename Sums>
+  void add_row(const MapByEdge& map, const std::vector<Rgba>& colours, const OutputGrid& grid, int y,
+               int band, Sums& sums) const;
   template <typename Map>
   void draw_by_model(const Map& map, const OutputGrid& grid, bool linear_light);
   template <typename Model, typename Map>

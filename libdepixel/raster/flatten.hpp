@@ -1,10 +1,12 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <cstdint>
 #include <cstdlib>
 #include <glm/vec2.hpp>
 
+#include "libdepixel/core/simd.hpp"
 #include "libdepixel/core/tolerances.hpp"
 
 namespace depixel {
@@ -32,13 +34,15 @@ void flatten(glm::ivec2 p0, glm::ivec2 p1, glm::ivec2 p2, glm::ivec2 p3, int pie
     line(p0, p3);
     return;
   }
-  const glm::dvec2 c1(3 * (p1 - p0)), c2(3 * (p0 - 2 * p1 + p2)), c3(p3 - p0 + 3 * (p1 - p2));
+  const auto both_axes = [](glm::ivec2 v) { return Double2{double(v.x), double(v.y)}; };
+  const Double2 c1 = both_axes(3 * (p1 - p0)), c2 = both_axes(3 * (p0 - 2 * p1 + p2)),
+                c3 = both_axes(p3 - p0 + 3 * (p1 - p2));
   glm::ivec2 from = p0;
   const double piece = 1.0 / pieces;
   for (int i = 1; i < pieces; ++i) {
     const double t = i * piece;
-    const glm::dvec2 way = ((c3 * t + c2) * t + c1) * t;
-    const glm::ivec2 to = p0 + glm::ivec2(std::lrint(way.x), std::lrint(way.y));
+    const std::array<std::int32_t, 2> way = nearest_integers(((c3 * t + c2) * t + c1) * t);
+    const glm::ivec2 to = p0 + glm::ivec2(way[0], way[1]);
     line(from, to);
     from = to;
   }

@@ -11,7 +11,7 @@
 namespace depixel {
 
 /// Pictures are drawn in bands of so many output rows.
-constexpr int kBandRows = 32;
+constexpr int kBandRows = 16;
 
 /// Cuts lines to the rows and pixels of a band of output rows, in integers. Where a line meets the boundary
 /// of a row depends on the line alone, so a line that crosses bands comes to the same as in one band. Source:
@@ -90,7 +90,7 @@ class LineSlicer {
 
  private:
   template <typename Visit>
-  void clip(Slice& slice, Visit& visit) const;
+  [[gnu::noinline]] void clip(Slice& slice, Visit& visit) const;
 
   int right_ = 0;
   int top_ = 0, bottom_ = 0;

@@ -71,10 +71,11 @@ struct MapByEdge {
   const Shading& shading;
 };
 
-/// Calls visit(segment) for the edges that leave a row of corners, in order. Which are visible cannot be
-/// foretold, so some are listed first, without branches, and their curves are fetched meanwhile.
+/// Calls visit(curve number, corner, x, southwards) for the visible edges that leave a row of corners, in
+/// order; x is the corner's column. Which are visible cannot be foretold, so some are listed first, without
+/// branches, and their curves are fetched meanwhile.
 template <typename Visit>
-void for_each_segment(const MapByEdge& map, int y, Visit visit) {
+void for_each_visible_edge(const MapByEdge& map, int y, Visit visit) {
   constexpr int kCornersAtOnce = 32;
   const Lattice& lattice = map.edges.lattice;
   std::array<int, 2 * kCornersAtOnce> visible;
@@ -90,10 +91,17 @@ void for_each_segment(const MapByEdge& map, int y, Visit visit) {
     }
     for (int i = 0; i < count; ++i) {
       const int slot = visible[i], along = slot / 2;
-      visit(segment_of(map.table.curve(curve[slot]), {first + along, y}, corner + along, slot % 2 != 0,
-                       lattice.stride()));
+      visit(curve[slot], corner + along, first + along, slot % 2 != 0);
     }
   }
+}
+
+/// Calls visit(segment) for them.
+template <typename Visit>
+void for_each_segment(const MapByEdge& map, int y, Visit visit) {
+  for_each_visible_edge(map, y, [&](int number, int corner, int x, bool southwards) {
+    visit(segment_of(map.table.curve(number), {x, y}, corner, southwards, map.edges.lattice.stride()));
+  });
 }
 
 /// Writes a map out (stage 6 of 6), for readers that want a list.

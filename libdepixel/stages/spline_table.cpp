@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <numeric>
 
 #include "libdepixel/core/simd.hpp"
 
@@ -129,14 +130,15 @@ int SplineTable::fit_added(const Options& options, Workers& workers) {
   if (count == 0) return 0;
   const auto first_place = static_cast<std::size_t>(shapes_[fitted_shapes_].first_place);
   const std::size_t steps = numbers_.size() - first_place;
-  added_curves_.resize(std::max(added_curves_.size(), steps));
-  added_tiles_.resize(added_curves_.size());
+  const std::size_t first_number = curves_.size();
+  curves_.resize(first_number + steps);
+  tiles_.resize(curves_.size());
   added_.clear();
   for (std::size_t i = fitted_shapes_; i < shapes_.size(); ++i) {
     const Shape& shape = shapes_[i];
-    const std::size_t first = shape.first_place - first_place;
+    const std::size_t first = first_number + shape.first_place - first_place;
     added_.push_back({std::span(words_).subspan(shape.first_word, shape.count), shape.kind,
-                      added_curves_.data() + first, added_tiles_.data() + first});
+                      curves_.data() + first, tiles_.data() + first});
   }
   fitters_.resize(std::max<std::size_t>(fitters_.size(), workers.threads()));
   const int parts = (count + kShapesAtOnce - 1) / kShapesAtOnce;
@@ -149,33 +151,34 @@ int SplineTable::fit_added(const Options& options, Workers& workers) {
       fitters_[thread].fit(std::span(added_).subspan(first, std::min(kShapesAtOnce, count - first)), options);
     });
   }
-  for (std::size_t k = 0; k < steps; ++k) {
-    if (!has_equal_numbers_) {
-      numbers_[first_place + k] = add(added_curves_[k], added_tiles_[k]);
-      continue;
-    }
-    if (k + kAhead < steps) curve_index_.prefetch(key_of(added_curves_[k + kAhead]));
-    numbers_[first_place + k] = number_of(added_curves_[k], added_tiles_[k]);
+  if (has_equal_numbers_) {
+    number_equally(first_place, first_number);
+  } else {
+    std::iota(numbers_.begin() + static_cast<std::ptrdiff_t>(first_place), numbers_.end(),
+              static_cast<int>(first_number));
   }
+  for (std::size_t number = first_number; number < curves_.size(); ++number)
+    fitted_.push_back(static_cast<int>(number));
   fitted_shapes_ = shapes_.size();
   return count;
 }
 
-/// Adds a fitted curve. \return its number.
-int SplineTable::add(const EdgeCurve& curve, TileMask tiles) {
-  const auto number = static_cast<int>(curves_.size());
-  curves_.push_back(curve);
-  tiles_.push_back(tiles);
-  fitted_.push_back(number);
-  return number;
-}
-
-/// The number of a fitted curve; it is added if it is not known.
-int SplineTable::number_of(const EdgeCurve& curve, TileMask tiles) {
-  const auto next = static_cast<int>(curves_.size());
-  const int number =
-      curve_index_.find_or_add(key_of(curve), next, [&](int known) { return curves_[known] == curve; });
-  return number == next ? add(curve, tiles) : number;
+/// Gives fitted curves, one a place from a first one on, their numbers; of those that are known, the known
+/// ones, and the others close up.
+void SplineTable::number_equally(std::size_t first_place, std::size_t first_number) {
+  std::size_t next = first_number;
+  for (std::size_t k = first_number; k < curves_.size(); ++k) {
+    if (k + kAhead < curves_.size()) curve_index_.prefetch(key_of(curves_[k + kAhead]));
+    const EdgeCurve curve = curves_[k];
+    const int number = curve_index_.find_or_add(key_of(curve), static_cast<int>(next),
+                                                [&](int known) { return curves_[known] == curve; });
+    numbers_[first_place + k - first_number] = number;
+    if (number != static_cast<int>(next)) continue;
+    curves_[next] = curve;
+    tiles_[next++] = tiles_[k];
+  }
+  curves_.resize(next);
+  tiles_.resize(next);
 }
 
 int SplineTable::joined(int fitted, bool southwards, glm::i16vec2 p0, glm::i16vec2 p3) {
@@ -198,8 +201,7 @@ int SplineTable::joined(int fitted, bool southwards, glm::i16vec2 p0, glm::i16ve
 }
 
 std::size_t SplineTable::memory_bytes() const {
-  std::size_t bytes = held_bytes(words_, shapes_, numbers_, curves_, tiles_, fitted_, added_, added_curves_,
-                                 added_tiles_, fitters_);
+  std::size_t bytes = held_bytes(words_, shapes_, numbers_, curves_, tiles_, fitted_, added_, fitters_);
   for (const SplineFitter& fitter : fitters_) bytes += fitter.memory_bytes();
   return bytes + shape_index_.memory_bytes() + curve_index_.memory_bytes() + joined_index_.memory_bytes();
 }

@@ -87,8 +87,7 @@ class SplineTable {
     int shift_ = 0;  ///< from a scrambled key to a place
   };
 
-  int add(const EdgeCurve& curve, TileMask tiles);
-  int number_of(const EdgeCurve& curve, TileMask tiles);
+  void number_equally(std::size_t first_place, std::size_t first_number);
 
   bool has_equal_numbers_;
   unsigned generation_ = 0;
@@ -101,8 +100,6 @@ class SplineTable {
   std::vector<TileMask> tiles_;
   std::vector<int> fitted_;
   std::vector<ArcShape> added_;
-  std::vector<EdgeCurve> added_curves_;  ///< of the shapes that are fitted
-  std::vector<TileMask> added_tiles_;
   std::vector<SplineFitter> fitters_;  ///< one a thread
 };
 

@@ -9,12 +9,14 @@ class FaultyFilter final : public FrameFilter {
  public:
   FaultyFilter() : FrameFilter(RuleSet().without(Rule::edges_by_codes)) {}
 
-  tl::expected<void, Error> draw(const Target& target, const Viewport&, const View& view) override {
+ private:
+  tl::expected<void, Error> draw_checked(const Target& target, const Viewport&, const View& view) override {
     if (const PictureView* picture = picture_of(target)) {
       CpuRaster().draw(vectorizer_.map(), view, options_.linear_light, 1, *picture);
     }
     return {};
   }
+  tl::expected<void, Error> clear(const GlFramebuffer&, const Viewport&) override { return {}; }
 };
 
 }  // namespace
