@@ -15,13 +15,12 @@ struct Cells {
     build_similarity_graph(picture.view(), Similarity::exact, false, graph);
     resolve_crossings(graph, CrossingVotes::of(options), scratch);
     build_cell_graph(graph, nullptr, cells);
-    thin.assign(graph.lattice.size() + sizeof(Byte16), 1);
-    find_thin_pixels(graph, thin);
+    find_pixel_marks(graph, false, marks);
   }
 
   SimilarityGraph graph;
   CellGraph cells;
-  std::vector<std::uint8_t> thin;
+  std::vector<PixelMarks> marks;
 };
 
 /// A frame's moves, as they were guessed.
@@ -50,7 +49,7 @@ RC_GTEST_PROP(IncrementalEdges, AreThoseFromScratchAndTellWhichDiffer, (const Se
     const Lattice& lattice = now.cells.lattice;
     IncrementalEdges fresh;
     fresh.reset(lattice);
-    fresh.trace_all(now.cells, now.thin, options);
+    fresh.trace_all(now.cells, now.marks, options);
     fresh.fit(now.cells, options, {}, workers);
     if (before.lattice == lattice && !before.pixels.empty()) {
       const auto number = [] { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-5, 6)); };
@@ -71,7 +70,7 @@ RC_GTEST_PROP(IncrementalEdges, AreThoseFromScratchAndTellWhichDiffer, (const Se
       move_blocks(blocks, GridPart::corners(lattice, 2), 0, edges.before(), expected);
       const bool moves = blocks.any_moved();
       if (!moves) expected = edges.edges().curve;
-      edges.trace_stale(now.cells, now.thin, stale, stale_codes, options, blocks, {});
+      edges.trace_stale(now.cells, now.marks, stale, stale_codes, options, blocks, {});
       edges.fit(now.cells, options, {}, workers);
       // Seams may leave edges of which neither corner has a code that tells of them.
       if (!moves) RC_ASSERT(curves_of(edges) == curves_of(fresh));
@@ -83,7 +82,7 @@ RC_GTEST_PROP(IncrementalEdges, AreThoseFromScratchAndTellWhichDiffer, (const Se
     } else {
       edges.reset(lattice);
       blocks.set_unknown(lattice);
-      edges.trace_all(now.cells, now.thin, options);
+      edges.trace_all(now.cells, now.marks, options);
       edges.fit(now.cells, options, {}, workers);
       RC_ASSERT(curves_of(edges) == curves_of(fresh));
     }

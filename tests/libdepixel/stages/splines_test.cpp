@@ -79,10 +79,12 @@ TEST(Splines, InterpolationGoesThroughTheNodes) {
 
 RC_GTEST_PROP(Splines, KnotsAreOneFourOneOfControlPoints, (const Picture& picture)) {
   // So a knot lies half-way between the inner points next to it: two thirds of the way from one control point
-  // to its own, and one third from its own to the other. Not where a spline is broken, on the lattice corner,
-  // and not at retracted segments.
+  // to its own, and one third from its own to the other. Not where a spline is broken: on the lattice corner,
+  // where corners are round; sharp ones are Corners' own. And not at retracted segments.
+  Options options = *random_lossless_options();
+  options.corners = Corners::round;
   Vectorizer v;
-  v.vectorize(picture.view(), *random_lossless_options());
+  v.vectorize(picture.view(), options);
   const Contours& contours = v.contours();
   const auto segment_after = [&](int node) {
     return segment_along(v.map(), contours.corner[node], static_cast<Direction>(contours.heading[node]));
