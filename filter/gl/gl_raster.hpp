@@ -33,7 +33,8 @@ class GlRaster {
   struct Style {
     bool linear_light = false, is_shaded = false;
   };
-  /// Draws a view of the tiles, whose origin is counted from the first of them, to the framebuffer that is bound for drawing.
+  /// Draws a view of the tiles, whose origin is counted from the first of them, to the framebuffer that is
+  /// bound for drawing.
   void draw(const Viewport& viewport, const View& view, Style style);
 
   /// Lets go of all objects, which were lost with their context.
