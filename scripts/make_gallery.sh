@@ -56,6 +56,8 @@ options davegnukem_0052 64x64+24+92 4 shading_gnukem.png "--similarity merge" "-
 options freedoom_0039 72x64+140+86 4 shading_freedoom.png "--similarity merge" "--similarity merge --shading gradient" \
   "--similarity merge --shading blur" "--soft-contours 20"
 options alex4_0036 76x56+54+24 5 dither_alex4.png "--dither blend"
+options alex4_0036 92x14+0+106 5 text_alex4.png "--text-safe"
+options freedoom_0039 92x30+104+170 5 text_freedoom.png "--text-safe"
 # Sharp corners beside round ones: part of a sheet of sprites, and of a frame.
 corners() { # PICTURE CROP SCALE OUTPUT
   convert "$1" -crop "$2" +repage -filter point -resize "$3"00% "$work/corners0.png"

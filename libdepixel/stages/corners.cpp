@@ -10,6 +10,8 @@ namespace {
 /// How far a corner stands out, at least, in pixels: more than the 4 of circles, for those of a few pixels
 /// and the tips of ellipses reach 5.2.
 constexpr float kHeight = 6.0f;
+/// So many steps its arms have at least.
+constexpr int kShortestArm = 6;
 /// How far from a node's lattice corner its arms may meet, along each axis, in pixels, unless they form a
 /// narrow tip. A node cannot go as far (ArcBatch::kReach): the tip is cut off there.
 constexpr float kStray = 0.9f;
@@ -21,8 +23,9 @@ constexpr int kFromTurn = 3;
 constexpr int kSameCorner = 3;
 /// Arms are laid on their lines up to the middle; from there on less and less.
 constexpr float kStraightPart = 0.5f;
-/// Steps of the long sides of a bar, at least, and of the short one at its end.
-constexpr int kBarLength = 4, kBarWidth = 2;
+/// Steps of the short side at the end of a bar; and of its long ones, at least: where it ends a larger shape,
+/// and where it is all there is. Shorter ones are as often the holes of round letters.
+constexpr int kBarWidth = 2, kBarLength = 4, kLoneBarLength = 8;
 
 constexpr float kFar = 1e9f;
 
@@ -70,21 +73,25 @@ std::optional<glm::vec2> meeting_point(const DigitalLine& a, const DigitalLine& 
 void CornerPlacer::place(std::span<const ShapeWord> words, const Runs& runs, const ArcBatch::Member& member,
                          ArcBatch& batch) {
   words_ = words;
+  runs_ = &runs;
   batch_ = &batch;
   member_ = member;
-  hold_bar_ends(runs);
+  hold_bar_ends();
   if (static_cast<float>(member.step_count()) < 2 * kHeight) return;
-  find_candidates(runs);
+  find_candidates();
   find_corners();
   if (corners_.empty()) return;
   straighten_arms();
 }
 
-void CornerPlacer::hold_bar_ends(const Runs& runs) {
+void CornerPlacer::hold_bar_ends() {
+  const Runs& runs = *runs_;
+  const bool is_rectangle = member_.closed && runs.count() == 4;
+  const int length = is_rectangle ? kLoneBarLength : kBarLength;
   for (int k = 0; k < runs.count(); ++k) {
     const Run& end = runs[k];
     if (end.length != kBarWidth || end.turn_in == 0 || end.turn_in != end.turn_out) continue;
-    if (runs.neighbour(k, -1)->length < kBarLength || runs.neighbour(k, 1)->length < kBarLength) continue;
+    if (runs.neighbour(k, -1)->length < length || runs.neighbour(k, 1)->length < length) continue;
     for (const int node : {end.start, end.start + kBarWidth}) {
       const int i = member_.first + wrapped(node);
       if (batch_->role[i] != NodeRole::free) continue;
@@ -96,21 +103,51 @@ void CornerPlacer::hold_bar_ends(const Runs& runs) {
 
 /// No digital straight segment goes on where the contour turns twice to the same side, or turns between two
 /// runs of two steps or more; and two that meet at more than 45 degrees have such a place between them.
-void CornerPlacer::find_candidates(const Runs& runs) {
+void CornerPlacer::find_candidates() {
   candidates_.clear();
-  const auto add = [&](int node) {
-    if (batch_->role[member_.first + wrapped(node)] != NodeRole::sharp) candidates_.push_back(wrapped(node));
-  };
-  for (int k = 0; k < runs.count(); ++k) {
-    const Run& run = runs[k];
-    if (run.turn_out != 0 && run.length > 1 && runs.neighbour(k, 1)->length > 1) add(run.start + run.length);
-    if (run.turn_in == 0 || run.turn_in != run.turn_out) continue;
-    for (int j = 0; j <= run.length; ++j) {
-      if (std::min(j, run.length - j) <= kFromTurn) add(run.start + j);
+  for (int k = 0; k < runs_->count(); ++k) {
+    const Run& run = (*runs_)[k];
+    if (run.turn_in == run.turn_out && run.turn_in != 0) {
+      add_candidates_between_turns(k);
+    } else if (run.turn_out != 0 && run.length > 1) {
+      const Run& next = *runs_->neighbour(k, 1);
+      if (next.length > 1 && next.turn_out != run.turn_out) add_candidate(k, run.length);
     }
   }
-  std::sort(candidates_.begin(), candidates_.end());
-  candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
+  const auto node = [](const Candidate& c) { return c.node; };
+  std::ranges::sort(candidates_, {}, node);
+  candidates_.erase(std::ranges::unique(candidates_, {}, node).begin(), candidates_.end());
+}
+
+/// Nodes near one of the turns.
+void CornerPlacer::add_candidates_between_turns(int run) {
+  const int length = (*runs_)[run].length;
+  for (int j = 0; j <= length; ++j) {
+    if (std::min(j, length - j) <= kFromTurn) add_candidate(run, j);
+  }
+}
+
+void CornerPlacer::add_candidate(int run, int offset) {
+  const int node = wrapped((*runs_)[run].start + offset);
+  if (batch_->role[member_.first + node] == NodeRole::sharp) return;
+  if (!has_room(run, offset, -1) || !has_room(run, (*runs_)[run].length - offset, 1)) return;
+  candidates_.push_back({node, run, offset});
+}
+
+/// Whether an arm with some steps in a run may have kShortestArm of them in all: before the arc turns twice
+/// to the same side, or ends.
+bool CornerPlacer::has_room(int run, int steps, int direction) const {
+  const Run* at = &(*runs_)[run];
+  int turn = 0;
+  while (steps < kShortestArm) {
+    const int next_turn = direction > 0 ? at->turn_out : at->turn_in;
+    if (next_turn == 0 || (steps > 0 && next_turn == turn)) return false;
+    turn = steps > 0 ? next_turn : 0;
+    run = runs_->index(run, direction);
+    at = &(*runs_)[run];
+    steps += at->length;
+  }
+  return true;
 }
 
 /// The step that leaves a node in the arc's direction (1) or against it (-1).
@@ -118,28 +155,40 @@ Direction CornerPlacer::step_from(int node, int direction) const {
   return direction > 0 ? words_[node].heading() : opposite(words_[wrapped(node - 1)].heading());
 }
 
-DigitalLine CornerPlacer::arm(int node, int direction) const {
-  const int beyond = direction > 0 ? member_.count - 1 - node : node;
-  const int steps = std::min(kLongestArm, member_.closed ? member_.count / 2 : beyond);
-  DigitalLine line;
-  for (int k = 0; k < steps; ++k) {
-    if (!line.grow(step_from(wrapped(node + direction * k), direction))) break;
+DigitalLine CornerPlacer::arm(const Candidate& candidate, int direction) const {
+  const int longest = member_.closed ? std::min(kLongestArm, member_.count / 2) : kLongestArm;
+  int run = candidate.run;
+  int steps = direction > 0 ? (*runs_)[run].length - candidate.offset : candidate.offset;
+  if (steps == 0) {
+    run = runs_->index(run, direction);
+    steps = (*runs_)[run].length;
+  }
+  const auto heading = [&] {
+    return direction > 0 ? (*runs_)[run].heading : opposite((*runs_)[run].heading);
+  };
+  DigitalLine line(heading(), std::min(steps, longest));
+  while (line.steps() < longest) {
+    run = runs_->index(run, direction);
+    if (run < 0) break;
+    for (int k = std::min((*runs_)[run].length, longest - line.steps()); k > 0; --k) {
+      if (!line.grow(heading())) return line;
+    }
   }
   return line;
 }
 
 void CornerPlacer::find_corners() {
   corners_.clear();
-  for (const int node : candidates_) {
-    const DigitalLine before = arm(node, -1);
+  for (const Candidate& candidate : candidates_) {
+    const DigitalLine before = arm(candidate, -1);
     if (static_cast<float>(squared_length(before)) < kHeight * kHeight) continue;
-    const DigitalLine after = arm(node, 1);
+    const DigitalLine after = arm(candidate, 1);
     const float cosine = cosine_between(before, after);
     if (!stands_out(before, after, cosine)) continue;
     const std::optional<glm::vec2> meeting = meeting_point(before, after);
     if (!meeting || std::max(meeting->x * meeting->x, meeting->y * meeting->y) > squared_stray(cosine))
       continue;
-    corners_.push_back({node, before, after, *meeting});
+    corners_.push_back({candidate.node, before, after, *meeting});
   }
   if (corners_.empty()) return;
   distances_.assign(member_.count, kFar);

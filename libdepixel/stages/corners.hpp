@@ -36,6 +36,10 @@ class CornerPlacer {
   std::size_t memory_bytes() const { return held_bytes(candidates_, distances_, corners_, pulls_); }
 
  private:
+  /// A node, and where it is in a run.
+  struct Candidate {
+    int node, run, offset;
+  };
   struct Corner {
     int node;
     DigitalLine before, after;  ///< its arms, both from the corner on
@@ -46,8 +50,10 @@ class CornerPlacer {
     float move_x = 0, move_y = 0, weight = 0;
   };
 
-  void hold_bar_ends(const Runs& runs);
-  void find_candidates(const Runs& runs);
+  void hold_bar_ends();
+  void find_candidates();
+  void add_candidate(int run, int offset);
+  void add_candidates_between_turns(int run);
   void find_corners();
   float distance(int node) const;
   bool is_middle(int node) const;
@@ -56,14 +62,16 @@ class CornerPlacer {
   void pull_to(const DigitalLine& line, int node, int direction, int last);
   void apply_pulls();
 
-  DigitalLine arm(int node, int direction) const;
+  bool has_room(int run, int steps, int direction) const;
+  DigitalLine arm(const Candidate& candidate, int direction) const;
   Direction step_from(int node, int direction) const;
   int wrapped(int node) const { return ArcBatch::wrapped(node, member_.count); }
 
   std::span<const ShapeWord> words_;
+  const Runs* runs_ = nullptr;
   ArcBatch* batch_ = nullptr;
   ArcBatch::Member member_;
-  std::vector<int> candidates_;  ///< nodes
+  std::vector<Candidate> candidates_;
   /// By node: squared, from its lattice corner to where its arms meet; kFar where it is no corner.
   std::vector<float> distances_;
   std::vector<Corner> corners_;

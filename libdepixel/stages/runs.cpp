@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "libdepixel/stages/arc_batch.hpp"
-
 namespace depixel {
 
 void Runs::find(std::span<const ShapeWord> words, bool is_closed) {
@@ -37,16 +35,6 @@ void Runs::find(std::span<const ShapeWord> words, bool is_closed) {
   }
   finish(is_closed ? turn(heading, list_.empty() ? heading : list_.front().heading) : 0);
   if (is_closed) list_.front().turn_in = list_.back().turn_out;
-}
-
-const Run* Runs::neighbour(int run, int offset) const {
-  int k = run + offset;
-  if (is_closed_) {
-    k = ArcBatch::wrapped(k, count());
-  } else if (k < 0 || k >= count()) {
-    return nullptr;
-  }
-  return &list_[k];
 }
 
 }  // namespace depixel

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
 #include "libdepixel/core/memory.hpp"
-#include "libdepixel/stages/arcs.hpp"
+#include "libdepixel/stages/arc_batch.hpp"
 
 namespace depixel {
 
@@ -25,8 +26,16 @@ class Runs {
   const Run& operator[](int run) const { return list_[run]; }
   std::vector<Run>::const_iterator begin() const { return list_.begin(); }
   std::vector<Run>::const_iterator end() const { return list_.end(); }
-  /// The run `offset` runs on, or nullptr beyond the end of an open arc.
-  const Run* neighbour(int run, int offset) const;
+  /// The run `offset` runs on, or nullptr beyond the end of an open arc; and its index, or -1.
+  const Run* neighbour(int run, int offset) const {
+    const int other = index(run, offset);
+    return other < 0 ? nullptr : &list_[other];
+  }
+  int index(int run, int offset) const {
+    const int k = run + offset;
+    if (is_closed_) return ArcBatch::wrapped(k, count());
+    return k < count() ? std::max(k, -1) : -1;
+  }
 
   std::size_t memory_bytes() const { return held_bytes(list_); }
 

@@ -19,17 +19,27 @@ std::vector<Direction> steps_of(std::string_view initials) {
   return steps;
 }
 
-/// How many of the steps the line takes.
-int grown(const std::vector<Direction>& steps, DigitalLine& line) {
-  int count = 0;
-  while (count < static_cast<int>(steps.size()) && line.grow(steps[count])) ++count;
-  EXPECT_EQ(line.steps(), count);
-  return count;
+/// The line that steps make as long as they are straight.
+DigitalLine grown(std::string_view initials) {
+  const std::vector<Direction> steps = steps_of(initials);
+  DigitalLine line(steps[0], 1);
+  for (std::size_t k = 1; k < steps.size() && line.grow(steps[k]); ++k) {
+    EXPECT_EQ(line.steps(), static_cast<int>(k) + 1);
+  }
+  return line;
 }
 
 int length_of(std::string_view initials) {
-  DigitalLine line;
-  return grown(steps_of(initials), line);
+  return grown(initials).steps();
+}
+
+TEST(DigitalLine, StartsWithARun) {
+  DigitalLine line(kEast, 4);
+  EXPECT_EQ(line.end(), grown("EEEE").end());
+  EXPECT_TRUE(line.grow(kNorth));
+  EXPECT_TRUE(line.grow(kEast));
+  EXPECT_EQ(line.direction(), grown("EEEENE").direction());
+  EXPECT_EQ(line.twice_offset(), grown("EEEENE").twice_offset());
 }
 
 TEST(DigitalLine, GoesOnAsLongAsRunsAreAlike) {
@@ -43,14 +53,12 @@ TEST(DigitalLine, GoesOnAsLongAsRunsAreAlike) {
 }
 
 TEST(DigitalLine, LiesInTheMiddle) {
-  DigitalLine line;
-  grown(steps_of("EENEENEE"), line);
+  const DigitalLine line = grown("EENEENEE");
   EXPECT_EQ(line.direction(), glm::ivec2(2, -1));
   EXPECT_EQ(line.end(), glm::ivec2(6, -2));
   // Nodes lie on three parallel lines; that in the middle goes through (1, 0).
   EXPECT_EQ(line.twice_offset(), 2 * (2 * 0 - -1 * 1));
-  DigitalLine level;
-  grown(steps_of("WWW"), level);
+  const DigitalLine level = grown("WWW");
   EXPECT_EQ(level.direction(), glm::ivec2(-1, 0));
   EXPECT_EQ(level.twice_offset(), 0);
 }
@@ -82,8 +90,8 @@ bool is_straight(const std::vector<glm::ivec2>& nodes) {
 
 RC_GTEST_PROP(DigitalLine, GrowsWhereThereIsALine, ()) {
   const auto heads = *rc::gen::inRange(0, 4);
-  DigitalLine line;
-  std::vector<glm::ivec2> nodes{{0, 0}};
+  DigitalLine line(static_cast<Direction>(heads), 1);
+  std::vector<glm::ivec2> nodes{{0, 0}, kStep[heads]};
   for (int k = 0; k < 14; ++k) {
     const auto step = turned(static_cast<Direction>(heads), *rc::gen::element(0, 0, 0, 1));
     nodes.push_back(nodes.back() + kStep[step]);
@@ -100,7 +108,7 @@ RC_GTEST_PROP(DigitalLine, GrowsWhereThereIsALine, ()) {
 }
 
 RC_GTEST_PROP(DigitalLine, TurnsAndFlipsWithItsSteps, ()) {
-  DigitalLine line, turned_line, flipped_line;
+  DigitalLine line(kEast, 1), turned_line(kSouth, 1), flipped_line(kEast, 1);
   for (int k = 0; k < 14; ++k) {
     const auto step = static_cast<Direction>(*rc::gen::element(1, 1, 1, 2));
     const auto flipped = step == kSouth ? kNorth : step;
