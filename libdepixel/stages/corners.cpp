@@ -114,9 +114,11 @@ void CornerPlacer::find_candidates() {
       if (next.length > 1 && next.turn_out != run.turn_out) add_candidate(k, run.length);
     }
   }
-  const auto node = [](const Candidate& c) { return c.node; };
-  std::ranges::sort(candidates_, {}, node);
-  candidates_.erase(std::ranges::unique(candidates_, {}, node).begin(), candidates_.end());
+  std::sort(candidates_.begin(), candidates_.end(),
+            [](const Candidate& a, const Candidate& b) { return a.node < b.node; });
+  candidates_.erase(std::unique(candidates_.begin(), candidates_.end(),
+                                [](const Candidate& a, const Candidate& b) { return a.node == b.node; }),
+                    candidates_.end());
 }
 
 /// Nodes near one of the turns.

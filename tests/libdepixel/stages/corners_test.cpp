@@ -189,6 +189,7 @@ TEST(Corners, AreNoneWithoutEnergy) {
 Picture random_polygon() {
   const int count = *rc::gen::inRange(3, 7);
   std::vector<glm::dvec2> points;
+  points.reserve(count);
   for (int k = 0; k < count; ++k)
     points.emplace_back(*rc::gen::inRange(0, 320) / 10.0, *rc::gen::inRange(0, 320) / 10.0);
   const auto crossings = [&](double x, double y) {
