@@ -56,17 +56,11 @@ options davegnukem_0052 64x64+24+92 4 shading_gnukem.png "--similarity merge" "-
 options freedoom_0039 72x64+140+86 4 shading_freedoom.png "--similarity merge" "--similarity merge --shading gradient" \
   "--similarity merge --shading blur" "--soft-contours 20"
 options alex4_0036 76x56+54+24 5 dither_alex4.png "--dither blend"
-options alex4_0036 92x14+0+106 5 text_alex4.png "--text-safe"
-options freedoom_0039 92x30+104+170 5 text_freedoom.png "--text-safe"
-# Sharp corners beside round ones: part of a sheet of sprites, and of a frame.
-corners() { # PICTURE CROP SCALE OUTPUT
-  convert "$1" -crop "$2" +repage -filter point -resize "$3"00% "$work/corners0.png"
-  for corners in round sharp; do
-    "$depixel" "$1" -o "$work/whole.png" --scale "$3" --quiet --corners "$corners"
-    convert "$work/whole.png" -crop "$(scaled "$2" "$3")" +repage "$work/corners_$corners.png"
-  done
-  montage "$work"/corners0.png "$work"/corners_{round,sharp}.png -tile x1 -geometry +3+3 -background white "$4"
-}
+convert docs/images/text.xpm "PNG24:$work/text.png"
+convert "$work/text.png" -filter point -resize 800% "$work/text0.png"
+"$depixel" "$work/text.png" -o "$work/text1.png" --scale 8 --quiet
+"$depixel" "$work/text.png" -o "$work/text2.png" --scale 8 --quiet --text-safe
+convert "$work"/text[0-2].png -background white -splice 0x6 -append docs/images/text.png
 
 # The player, with a split view.
 mkdir -p "$work/config/depixel"
