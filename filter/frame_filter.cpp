@@ -86,20 +86,19 @@ tl::expected<void, Error> FrameFilter::draw(const Target& target, const Viewport
                                             const View& view) {
   if (auto checked = check(target, viewport, view); !checked) return checked;
   if (vectorizer_.lattice().margin() == 0) return draw_checked(target, viewport, view);
-  const Viewport inside = part_inside_frame(target, viewport, view);
+  const Viewport shown = shown_part(viewport, view);
+  const int first_row = is_upside_down(target) ? viewport.height - shown.y - shown.height : shown.y;
+  const Viewport inside{viewport.x + shown.x, viewport.y + first_row, shown.width, shown.height};
   if (inside.width > 0 && inside.height > 0) {
-    const int from_top = is_upside_down(target) ? viewport.y + viewport.height - inside.y - inside.height
-                                                : inside.y - viewport.y;
-    const View part{view.scale_x, view.scale_y, view.origin_x + (inside.x - viewport.x) / view.scale_x,
-                    view.origin_y + from_top / view.scale_y};
+    const View part{view.scale_x, view.scale_y, view.origin_x + shown.x / view.scale_x,
+                    view.origin_y + shown.y / view.scale_y};
     if (auto drawn = draw_checked(target, inside, part); !drawn) return drawn;
   }
   return clear_outside(target, viewport, inside);
 }
 
-/// The frame's rectangle in the viewport, to the nearest output pixels.
-Viewport FrameFilter::part_inside_frame(const Target& target, const Viewport& viewport,
-                                        const View& view) const {
+/// The frame's rectangle, to the nearest output pixels, from the viewport's top left.
+Viewport FrameFilter::shown_part(const Viewport& viewport, const View& view) const {
   const Lattice& lattice = vectorizer_.lattice();
   const auto edge = [](double source, double scale, double origin, int size) {
     return static_cast<int>(std::clamp(std::round((source - origin) * scale), 0.0, double(size)));
@@ -108,8 +107,7 @@ Viewport FrameFilter::part_inside_frame(const Target& target, const Viewport& vi
   const int east = edge(lattice.shown_width(), view.scale_x, view.origin_x, viewport.width);
   const int north = edge(0, view.scale_y, view.origin_y, viewport.height);
   const int south = edge(lattice.shown_height(), view.scale_y, view.origin_y, viewport.height);
-  const int first_row = is_upside_down(target) ? viewport.height - south : north;
-  return {viewport.x + west, viewport.y + first_row, east - west, south - north};
+  return {west, north, east - west, south - north};
 }
 
 tl::expected<void, Error> FrameFilter::clear_outside(const Target& target, const Viewport& viewport,

@@ -125,7 +125,7 @@ class FrameFilter {
 
  private:
   tl::expected<void, Error> check(const Target& target, const Viewport& viewport, const View& view) const;
-  Viewport part_inside_frame(const Target& target, const Viewport& viewport, const View& view) const;
+  Viewport shown_part(const Viewport& viewport, const View& view) const;
   tl::expected<void, Error> clear_outside(const Target& target, const Viewport& viewport,
                                           const Viewport& inside);
 };

@@ -101,10 +101,11 @@ class GlFilter final : public FrameFilter {
       if (auto compared = compare_with_scratch(scale); !compared) return compared;
     }
     const Stopwatch time(stats_.draw_ns);
+    const View all = view.from_margin(vectorizer_.lattice());
     const PictureView* picture = picture_of(target);
     auto drawn = picture != nullptr
-                     ? draw_to_picture(*picture, viewport, view, std::holds_alternative<KeptPicture>(target))
-                     : draw_to(std::get<GlFramebuffer>(target), viewport, view);
+                     ? draw_to_picture(*picture, viewport, all, std::holds_alternative<KeptPicture>(target))
+                     : draw_to(std::get<GlFramebuffer>(target), viewport, all);
     if (!drawn) return drawn;
     if (auto error = take_error(gl_)) {
       is_uploaded_ = false;  // who knows what was refused
@@ -172,7 +173,7 @@ class GlFilter final : public FrameFilter {
   tl::expected<void, Error> draw_to(const GlFramebuffer& framebuffer, const Viewport& viewport,
                                     const View& view) {
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.name);
-    raster_->draw(viewport, view.from_margin(vectorizer_.lattice()), style());
+    raster_->draw(viewport, view, style());
     return {};
   }
 
@@ -191,8 +192,7 @@ class GlFilter final : public FrameFilter {
   Readback::Rows rows_to_draw(const PictureView& part, const View& view, bool is_kept) const {
     if (!is_kept || !(drawn_.part == part && drawn_.view == view)) return {0, part.height};
     if (stale_.first >= stale_.end) return {0, 0};
-    const double origin_y = view.from_margin(vectorizer_.lattice()).origin_y;
-    const auto row = [&](int source_y) { return (source_y - origin_y) * view.scale_y; };
+    const auto row = [&](int source_y) { return (source_y - view.origin_y) * view.scale_y; };
     const double first = std::floor(row(stale_.first)) - 1, end = std::ceil(row(stale_.end)) + 1;
     return {static_cast<int>(std::clamp(first, 0.0, double(part.height))),
             static_cast<int>(std::clamp(end, 0.0, double(part.height)))};
@@ -209,7 +209,7 @@ class GlFilter final : public FrameFilter {
       for (int first = rows.first; first < rows.end; first += band) {
         const Readback::Rows some{first, std::min(first + band, rows.end)};
         Readback::restrict_to(gl_, part, some);
-        raster_->draw({0, 0, part.width, part.height}, view.from_margin(vectorizer_.lattice()), style());
+        raster_->draw({0, 0, part.width, part.height}, view, style());
         readback_.request(gl_, part, some);
       }
       gl_.Disable(GL_SCISSOR_TEST);

@@ -87,7 +87,7 @@ class Vectorizer {
   CrossingScratch crossings_;
   Components components_;  ///< filled only when merging or connecting lines
   CellGraph cells_;
-  std::vector<std::uint8_t> marks_;
+  std::vector<PixelMarks> marks_;
   Contours contours_;
   Arcs arcs_;
   SplineTable table_;

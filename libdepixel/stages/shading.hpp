@@ -36,6 +36,18 @@ inline constexpr std::array<PixelPair, 6> kPixelPairs{{{kNorthPair, kNorthWestPi
 constexpr std::array<int, 4> block_pixels(int stride) {
   return {0, 1, stride, stride + 1};
 }
+/// Calls visit(block, pair, a, b) for each pair of every block of a lattice; a and b are its pixels.
+template <typename Visit>
+void for_each_pixel_pair(const Lattice& lattice, Visit visit) {
+  const std::array<int, 4> offset = block_pixels(lattice.stride());
+  for (int y = 0; y <= lattice.height(); ++y) {
+    for (int block = lattice.corner(0, y), end = block + lattice.width(); block <= end; ++block) {
+      for (const PixelPair& pair : kPixelPairs) {
+        visit(block, pair, block + offset[pair.a], block + offset[pair.b]);
+      }
+    }
+  }
+}
 
 /// How colours run inside the regions of a planar map, where they are not even.
 ///

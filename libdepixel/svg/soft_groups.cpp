@@ -40,18 +40,11 @@ class SoftGroups {
   };
 
   void find_meetings() {
-    const Lattice& lattice = map_.lattice;
-    const std::array<int, 4> offset = block_pixels(lattice.stride());
-    for (int y = 0; y <= lattice.height(); ++y) {
-      for (int block = lattice.corner(0, y), end = block + lattice.width(); block <= end; ++block) {
-        for (const PixelPair& pair : kPixelPairs) {
-          const int a = block + offset[pair.a], b = block + offset[pair.b];
-          if (label_[a] == label_[b] || !is_opaque(a) || !is_opaque(b)) continue;
-          const auto [least, most] = std::minmax(label_[a], label_[b]);
-          meetings_.push_back({least, most, (map_.shading.blocks[block] & pair.bit) != 0});
-        }
-      }
-    }
+    for_each_pixel_pair(map_.lattice, [&](int block, const PixelPair& pair, int a, int b) {
+      if (label_[a] == label_[b] || !is_opaque(a) || !is_opaque(b)) return;
+      const auto [least, most] = std::minmax(label_[a], label_[b]);
+      meetings_.push_back({least, most, (map_.shading.blocks[block] & pair.bit) != 0});
+    });
     std::sort(meetings_.begin(), meetings_.end());
     const auto is_same = [](const Meeting& m, const Meeting& n) { return m.a == n.a && m.b == n.b; };
     meetings_.erase(std::unique(meetings_.begin(), meetings_.end(), is_same), meetings_.end());

@@ -88,19 +88,12 @@ class ShadingWriter {
 
   /// Pixels on the other sides of soft contours.
   void find_beyond() {
-    const Lattice& lattice = map_.lattice;
-    const std::array<int, 4> offset = block_pixels(lattice.stride());
-    for (int y = 0; y <= lattice.height(); ++y) {
-      for (int block = lattice.corner(0, y), end = block + lattice.width(); block <= end; ++block) {
-        for (const PixelPair& pair : kPixelPairs) {
-          if ((map_.shading.blocks[block] & pair.bit) == 0) continue;
-          const int a = block + offset[pair.a], b = block + offset[pair.b];
-          if (group_[a] == group_[b] || map_.colours[a].a != 255) continue;
-          pixels_.push_back({group_[a], false, b});
-          pixels_.push_back({group_[b], false, a});
-        }
-      }
-    }
+    for_each_pixel_pair(map_.lattice, [&](int block, const PixelPair& pair, int a, int b) {
+      if ((map_.shading.blocks[block] & pair.bit) == 0) return;
+      if (group_[a] == group_[b] || map_.colours[a].a != 255) return;
+      pixels_.push_back({group_[a], false, b});
+      pixels_.push_back({group_[b], false, a});
+    });
   }
 
   Rgba shade(const Pixel& pixel) const { return map_.shading.shades[pixel.index]; }

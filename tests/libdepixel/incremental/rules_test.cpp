@@ -24,6 +24,15 @@ constexpr Options kBlendedDithers{.dither = DitherKind::blend};
 
 /// The smallest that a search over random sequences came to.
 std::vector<RuleCase> rule_cases() {
+  const Picture letter = ascii_picture({".......",  //
+                                        "..####.",  //
+                                        ".#.....",  //
+                                        ".#.....",  //
+                                        ".#.....",  //
+                                        "..####.",  //
+                                        "......."});
+  Picture beside_letter = letter;
+  beside_letter.at(0, 0) = palette_colour('4');
   return {
       {"dithers_by_pixels",
        ascii_picture({".#.#",  //
@@ -105,22 +114,7 @@ std::vector<RuleCase> rule_cases() {
        ascii_picture({".5",  //
                       "55"})},
       // A round letter beside a pixel that changes.
-      {"text_by_marks",
-       ascii_picture({".......",  //
-                      "..####.",  //
-                      ".#.....",  //
-                      ".#.....",  //
-                      ".#.....",  //
-                      "..####.",  //
-                      "......."}),
-       ascii_picture({"4......",  //
-                      "..####.",  //
-                      ".#.....",  //
-                      ".#.....",  //
-                      ".#.....",  //
-                      "..####.",  //
-                      "......."}),
-       {.text_safe = true}},
+      {"text_by_marks", letter, beside_letter, {.text_safe = true}},
       {"edges_by_codes",  //
        ascii_picture({"R4"}), ascii_picture({"44"})},
       {"curves_by_codes",
