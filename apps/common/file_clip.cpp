@@ -19,10 +19,6 @@ namespace {
 
 constexpr double kStillSeconds = 1.0 / 60;  ///< of a picture in a sequence: consoles' frames
 
-tl::unexpected<Error> about(const std::filesystem::path& file, const Error& error) {
-  return tl::unexpected(Error{fmt::format("{} {}", file.string(), error.message)});
-}
-
 class FileClip final : public Clip {
  public:
   FileClip(const Inputs& inputs, std::size_t budget_bytes)
@@ -48,11 +44,11 @@ class FileClip final : public Clip {
     if (const auto kept = kept_.find(index); kept != kept_.end()) return kept->second;
     const auto file = std::size_t(std::upper_bound(first_.begin(), first_.end(), index) - first_.begin()) - 1;
     if (file != open_file_ || index < next_) {
-      if (auto opened = open(file); !opened) return about(files_[file], opened.error());
+      if (auto opened = open(file); !opened) return about_file(files_[file], opened.error());
     }
     for (;; ++next_) {
       auto frame = read_next();
-      if (!frame) return about(files_[file], frame.error());
+      if (!frame) return about_file(files_[file], frame.error());
       keep(next_, *frame, index);
       if (next_ == index) {
         ++next_;
@@ -67,11 +63,11 @@ class FileClip final : public Clip {
     if (!stream) return tl::unexpected(stream.error());
     if (looks_like_y4m(stream->get())) {
       auto y4m = Y4mReader::open(std::move(*stream));
-      if (!y4m) return about(path, y4m.error());
+      if (!y4m) return about_file(path, y4m.error());
       if (!pixel_aspect_) pixel_aspect_ = y4m->pixel_aspect();
       int frames = 0;
       while (y4m->skip()) ++frames;
-      if (frames == 0) return about(path, {"holds no whole frame."});
+      if (frames == 0) return about_file(path, {"holds no whole frame."});
       return frames;
     }
     std::array<std::uint8_t, 8> start{};
@@ -80,7 +76,7 @@ class FileClip final : public Clip {
     auto bytes = read_file(path);
     if (!bytes) return tl::unexpected(bytes.error());
     const auto gif = GifReader::open(std::move(*bytes));
-    if (!gif) return about(path, gif.error());
+    if (!gif) return about_file(path, gif.error());
     return gif->frame_count();
   }
 

@@ -135,4 +135,9 @@ tl::expected<void, Error> write_standard_output(std::span<const std::uint8_t> by
   return tl::unexpected(Error{fmt::format("Standard output cannot be written: {}.", reason(error))});
 }
 
+tl::unexpected<Error> about_file(const fs::path& path, const Error& error) {
+  const std::string name = path == "-" ? "Standard input" : path.string();
+  return tl::unexpected(Error{fmt::format("{} {}", name, error.message)});
+}
+
 }  // namespace depixel

@@ -38,6 +38,9 @@ tl::expected<void, Error> write_file(const std::filesystem::path& path, std::spa
 /// Writes to standard output.
 tl::expected<void, Error> write_standard_output(std::span<const std::uint8_t> bytes);
 
+/// Completes a decoder's sentence with the name of the file at its beginning.
+tl::unexpected<Error> about_file(const std::filesystem::path& path, const Error& error);
+
 /// The bytes of a text.
 inline std::span<const std::uint8_t> bytes_of(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};

@@ -8,15 +8,6 @@
 #include "apps/common/files.hpp"
 
 namespace depixel {
-namespace {
-
-/// Completes a decoder's sentence with the name of the file.
-tl::unexpected<Error> about(const std::filesystem::path& file, const Error& error) {
-  const std::string name = file == "-" ? "Standard input" : file.string();
-  return tl::unexpected(Error{fmt::format("{} {}", name, error.message)});
-}
-
-}  // namespace
 
 std::string output_name(const std::filesystem::path& input) {
   return input == "-" ? "stdin" : input.stem().string();
@@ -25,7 +16,7 @@ std::string output_name(const std::filesystem::path& input) {
 tl::expected<std::optional<NamedFrame>, Error> FrameSource::next() {
   for (;;) {
     auto frame = next_in_file();
-    if (!frame) return about(inputs_.files[files_opened_ - 1], frame.error());
+    if (!frame) return about_file(inputs_.files[files_opened_ - 1], frame.error());
     if (*frame) return frame;
     if (files_opened_ == inputs_.files.size()) return std::nullopt;
     if (auto opened = open_next_file(); !opened) return tl::unexpected(opened.error());
@@ -44,7 +35,7 @@ tl::expected<void, Error> FrameSource::open_next_file() {
   if (!stream) return tl::unexpected(stream.error());
   if (looks_like_y4m(stream->get())) {
     auto y4m = Y4mReader::open(std::move(*stream));
-    if (!y4m) return about(path, y4m.error());
+    if (!y4m) return about_file(path, y4m.error());
     frames_in_file_ = kUnknown;
     file_ = std::move(*y4m);
     return {};
@@ -53,13 +44,13 @@ tl::expected<void, Error> FrameSource::open_next_file() {
   if (!file) return tl::unexpected(file.error());
   if (picture_kind(*file) == PictureKind::gif) {
     auto gif = GifReader::open(std::move(*file));
-    if (!gif) return about(path, gif.error());
+    if (!gif) return about_file(path, gif.error());
     frames_in_file_ = gif->frame_count();
     file_ = std::move(*gif);
     return {};
   }
   auto picture = decode_still(*file);
-  if (!picture) return about(path, picture.error());
+  if (!picture) return about_file(path, picture.error());
   frames_in_file_ = 1;
   file_ = std::move(*picture);
   return {};

@@ -9,7 +9,7 @@ namespace depixel {
 namespace {
 
 /// With more of the blocks than this part stale, all are taken to be: that is simpler, and no slower.
-constexpr double kMostStale = 0.7;
+constexpr double kMostStaleBlocks = 0.7;
 
 /// With more blocks' links than this part of all that differ, the graph is new.
 constexpr double kMostChanged = 0.1;
@@ -86,7 +86,7 @@ void IncrementalGraph::find_near(const BlockMoves& blocks, RuleSet rules) {
   for (const BlockMoves::Seam& seam : blocks.seams()) {
     if (has_seams) near_.add(seam.column, seam.row);
   }
-  if (near_.count() > kMostStale * grid.columns * grid.rows) near_.add_all();
+  if (near_.count() > kMostStaleBlocks * grid.columns * grid.rows) near_.add_all();
   near_.find_runs();
 }
 

@@ -6,7 +6,7 @@ namespace depixel {
 namespace {
 
 /// Where more than this part of the tiles is new, all are cut.
-constexpr double kMostNew = 1.0 / 3;
+constexpr double kMostCut = 1.0 / 3;
 /// Boxes are told as one where that adds no more tiles than this to them: each costs whoever copies the tiles
 /// a call.
 constexpr int kMostAdded = 64;
@@ -29,7 +29,7 @@ void LineTilesUpdater::update(const IncrementalVectorizer& source, const MapChan
                               glm::dvec2 scale, TileEncoding encoding) {
   const Lattice& lattice = source.lattice();
   is_all_new_ = changes.everything || !is_for(scale, encoding) || lattice != lattice_ ||
-                changes.new_tiles > kMostNew * lattice.width() * lattice.height();
+                changes.new_tiles > kMostCut * lattice.width() * lattice.height();
   lattice_ = lattice;
   scale_ = scale;
   encoding_ = encoding;

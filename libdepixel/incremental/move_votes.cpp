@@ -7,7 +7,7 @@ namespace {
 
 /// Different moves that are counted in a frame; more are noise.
 constexpr std::size_t kMostVotes = 256;
-constexpr std::size_t kMostMoves = 3;
+constexpr std::size_t kMostVoted = 3;
 constexpr int kFewestVotes = 24;  ///< nodes
 
 }  // namespace
@@ -36,7 +36,7 @@ void MoveVotes::vote(int before, int now, int nodes, const Lattice& lattice) {
 
 const std::vector<glm::ivec2>& MoveVotes::most_voted() {
   const auto more = [](const Vote& a, const Vote& b) { return a.nodes > b.nodes; };
-  const std::size_t count = std::min(votes_.size(), kMostMoves);
+  const std::size_t count = std::min(votes_.size(), kMostVoted);
   std::partial_sort(votes_.begin(), votes_.begin() + static_cast<std::ptrdiff_t>(count), votes_.end(), more);
   chosen_.clear();
   for (std::size_t i = 0; i < count && votes_[i].nodes >= kFewestVotes; ++i)

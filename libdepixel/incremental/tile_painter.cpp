@@ -7,7 +7,7 @@ namespace depixel {
 namespace {
 
 /// Runs with fewer tiles than this between them are drawn as one.
-constexpr int kLeastGap = 2;
+constexpr int kLeastRunGap = 2;
 
 int sums_pitch(const OutputGrid& grid) {
   return grid.lattice.width() * grid.x.whole_scale() + 1;
@@ -131,7 +131,7 @@ std::int64_t TilePainter::draw(const IncrementalVectorizer& source, const std::v
       if (next == nullptr) break;
       const int from = static_cast<int>(next - stale);
       Run run{row, from, from + 1};
-      for (x = run.to; x < width && x - run.to < kLeastGap; ++x) {
+      for (x = run.to; x < width && x - run.to < kLeastRunGap; ++x) {
         if (stale[x] != 0) run.to = x + 1;
       }
       draw_run<Model>(source, colours, grid, run, scratch_[thread]);

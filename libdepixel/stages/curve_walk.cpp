@@ -8,7 +8,7 @@ namespace depixel {
 namespace {
 
 /// Neighbours along sides, and those across corners.
-constexpr unsigned kSides = 0b0101'0101, kDiagonals = 0b1010'1010;
+constexpr unsigned kSideLinks = 0b0101'0101, kDiagonalLinks = 0b1010'1010;
 
 constexpr bool has(unsigned links, int neighbour) {
   return (links >> (neighbour & 7) & 1) != 0;
@@ -69,10 +69,10 @@ bool CurveWalk::is_in_area(int pixel, std::uint8_t links) const {
 }
 
 bool CurveWalk::is_in_dither(int pixel, std::uint8_t links) const {
-  if ((links & kSides) != 0) return false;
-  for (unsigned left = links & kDiagonals; left != 0; left &= left - 1) {
+  if ((links & kSideLinks) != 0) return false;
+  for (unsigned left = links & kDiagonalLinks; left != 0; left &= left - 1) {
     const std::uint8_t around = neighbours_[pixel + offsets_[std::countr_zero(left)]];
-    if ((around & kSides) == 0 && std::popcount(around) > 2) return true;
+    if ((around & kSideLinks) == 0 && std::popcount(around) > 2) return true;
   }
   return false;
 }

@@ -25,7 +25,7 @@ void mark_thin_lines(const SimilarityGraph& graph, int y, int from, int to, std:
 /// Pixels that a stroke is wide at most, and the length from which on one is a bar.
 constexpr int kWidestStroke = 3, kShortestBar = 3;
 /// How far text reaches from a bar, along either axis.
-constexpr int kReach = 4;
+constexpr int kTextReach = 4;
 
 /// What a pixel is of strokes across an axis. \param across, along  index offsets along the axis and the
 /// other.
@@ -51,8 +51,8 @@ PixelMarks stroke_marks(const Rgba* pixel, int across, int along) {
 
 bool is_near_bar(const SimilarityGraph& graph, const std::vector<PixelMarks>& marks, int pixel) {
   const int stride = graph.lattice.stride();
-  for (int y = -kReach; y <= kReach; ++y) {
-    for (int i = pixel + y * stride - kReach, end = i + 2 * kReach; i <= end; ++i) {
+  for (int y = -kTextReach; y <= kTextReach; ++y) {
+    for (int i = pixel + y * stride - kTextReach, end = i + 2 * kTextReach; i <= end; ++i) {
       if ((marks[i] & kBar) != 0 && graph.pixels[i] == graph.pixels[pixel]) return true;
     }
   }

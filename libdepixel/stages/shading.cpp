@@ -7,7 +7,7 @@
 namespace depixel {
 namespace {
 
-constexpr std::span kSides = std::span(kPixelPairs).first<4>();
+constexpr std::span kSidePairs = std::span(kPixelPairs).first<4>();
 constexpr const PixelPair &kMain = kPixelPairs[4], &kAnti = kPixelPairs[5];
 static_assert(kNorthPair == 1 << kNorth && kEastPair == 1 << kEast && kSouthPair == 1 << kSouth &&
               kWestPair == 1 << kWest);  // a pair of sides is the edge between them
@@ -81,7 +81,7 @@ class ShadingBuilder {
   PairMask find_pairs(int block, bool has_columns, bool has_rows) const {
     int pairs = 0;
     const int visible = cells_.corners[block].visible_edges();
-    for (const PixelPair& side : kSides) {
+    for (const PixelPair& side : kSidePairs) {
       const bool is_level = side.bit == kNorthPair || side.bit == kSouthPair;
       if (!(is_level ? has_columns : has_rows)) continue;  // one of them lies beyond the border
       if ((visible & side.bit) == 0 || is_soft(block, side)) pairs |= side.bit;

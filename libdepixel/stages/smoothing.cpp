@@ -22,8 +22,6 @@ constexpr float kPosition = 0.5f;
 constexpr Sweep kCoarse{2, 0.1f, 4 * kPosition}, kFine{1, 0.11f, kPosition};
 constexpr std::array kSweeps{kCoarse, kCoarse, kCoarse, kFine, kFine};
 
-constexpr float kReach = ArcBatch::kReach;
-
 /// Second differences of positions over a stride, of eight nodes from i on; 0 where bending does not count.
 template <int kStride>
 inline Float8 bending(const float* position, const float* step, const float* counts, int i) {
@@ -70,8 +68,8 @@ inline void move_nodes(const SweepArrays& a, const Sweep sweep) {
     const Float8 pace = sweep.rate * load8(mobility + i);
     const Float8 slope_x = bending_slope<kStride>(bend_x, i) + away_x * pull;
     const Float8 slope_y = bending_slope<kStride>(bend_y, i) + away_y * pull;
-    store8(at_x + i, clamp8(x - pace * slope_x, -kReach, kReach));
-    store8(at_y + i, clamp8(y - pace * slope_y, -kReach, kReach));
+    store8(at_x + i, clamp8(x - pace * slope_x, -ArcBatch::kReach, ArcBatch::kReach));
+    store8(at_y + i, clamp8(y - pace * slope_y, -ArcBatch::kReach, ArcBatch::kReach));
   }
 }
 

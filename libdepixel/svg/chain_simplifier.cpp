@@ -11,11 +11,11 @@ namespace {
 constexpr int kLongestRun = 48, kMostFailures = 2;
 
 /// Long runs are tried in steps of this part of their length.
-constexpr int kStep = 3;
+constexpr int kRunParts = 3;
 
 /// Of long runs some lengths will do, besides the longest.
 int longer(int run, int longest) {
-  return run == longest ? longest + 1 : std::min(run + std::max(1, run / kStep), longest);
+  return run == longest ? longest + 1 : std::min(run + std::max(1, run / kRunParts), longest);
 }
 
 constexpr int kLetter = 1;

@@ -22,12 +22,10 @@ bool lies_on_third(glm::ivec2 control, glm::ivec2 near, glm::ivec2 far) {
   return std::abs(off.x) <= 2 && std::abs(off.y) <= 2;
 }
 
-std::int64_t cross(glm::ivec2 a, glm::ivec2 b) {
-  return std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
-}
-
-std::int64_t dot(glm::ivec2 a, glm::ivec2 b) {
-  return std::int64_t{a.x} * b.x + std::int64_t{a.y} * b.y;
+/// Whether a line goes straight on in a direction.
+bool goes_on(glm::ivec2 line, glm::ivec2 by) {
+  const std::int64_t x = line.x, y = line.y;
+  return x * by.y == y * by.x && x * by.x + y * by.y >= 0;
 }
 
 void append_integer(std::string& out, int value) {
@@ -133,7 +131,7 @@ void SvgPathData::line_to(glm::ivec2 to_subpixels) {
   const glm::ivec2 to = grid_.thousandths(to_subpixels), by = to - at_;
   exact_ = to_subpixels;
   if (by == glm::ivec2(0)) return;
-  if (cross(line_, by) != 0 || dot(line_, by) < 0) write_line();
+  if (!goes_on(line_, by)) write_line();
   line_ += by;
   at_ = cubic_next_ = quadratic_next_ = to;
 }

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "libdepixel/core/tolerances.hpp"
+#include "libdepixel/pipeline/vectorizer.hpp"
 
 namespace depixel::test {
 namespace {
@@ -20,6 +21,11 @@ FreeSegment canonical(const FreeSegment& s) {
 }
 
 }  // namespace
+
+PlanarMap vectorized(const Picture& picture, const Options& options) {
+  Vectorizer vectorizer;
+  return vectorizer.vectorize(picture.view(), options);
+}
 
 std::ostream& operator<<(std::ostream& out, const FreeSegment& s) {
   for (int i = 0; i < 8; i += 2) {

@@ -5,10 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "libdepixel/core/options.hpp"
 #include "libdepixel/stages/planar_map.hpp"
 #include "tests/support/picture.hpp"
 
 namespace depixel::test {
+
+/// The map of a picture, made from scratch.
+PlanarMap vectorized(const Picture& picture, const Options& options = {});
 
 /// A segment told without regard to its contour's direction: from its smaller end to its larger one, by what
 /// lies on its sides.

@@ -19,6 +19,11 @@ void showValue(const Options& options, std::ostream& out) {
 }
 
 namespace test {
+
+rc::Gen<int> random_int(int from, int end) {
+  return rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, end));
+}
+
 namespace {
 
 enum class Brush { spot, rectangle, falling_line, rising_line, checkerboard, dither, noise, sprite };
@@ -82,7 +87,7 @@ void paint(Picture& picture, const Stroke& stroke, std::string_view palette) {
 
 rc::Gen<Stroke> random_stroke(int max_size, int colours) {
   const auto size = rc::gen::inRange(1, max_size + 1), position = rc::gen::inRange(0, max_size);
-  const auto colour = rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, colours));
+  const auto colour = random_int(0, colours);
   const auto stroke = rc::gen::build<Stroke>(
       rc::gen::set(&Stroke::brush,
                    rc::gen::map(rc::gen::inRange(0, kBrushes), [](int b) { return Brush(b); })),
@@ -96,14 +101,13 @@ rc::Gen<Stroke> random_stroke(int max_size, int colours) {
 
 template <typename Enum>
 rc::Gen<Enum> random_enum(int count) {
-  return rc::gen::map(rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, count)),
-                      [](int v) { return static_cast<Enum>(v); });
+  return rc::gen::map(random_int(0, count), [](int v) { return static_cast<Enum>(v); });
 }
 
 }  // namespace
 
 rc::Gen<Picture> random_picture(const RandomPictureLimits& limits) {
-  const auto size = rc::gen::resize(rc::kNominalSize, rc::gen::inRange(1, limits.max_size + 1));
+  const auto size = random_int(1, limits.max_size + 1);
   const auto strokes = rc::gen::resize(12, rc::gen::container<std::vector<Stroke>>(random_stroke(
                                                limits.max_size, static_cast<int>(limits.colours.size()))));
   return rc::gen::map(rc::gen::tuple(size, size, strokes), [limits](const auto& recipe) {

@@ -12,6 +12,9 @@ void showValue(const Options& options, std::ostream& out);
 
 namespace test {
 
+/// A number from..end - 1, all of them equally often in each run of a property.
+rc::Gen<int> random_int(int from, int end);
+
 /// What a random picture may be made of.
 struct RandomPictureLimits {
   int max_size = 20;                         ///< pixels a side

@@ -167,10 +167,6 @@ class Scene {
   bool is_reset_ = false;
 };
 
-rc::Gen<int> random_int(int from, int end) {
-  return rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, end));
-}
-
 /// A width or height: mostly a large one, shrinks to 1.
 rc::Gen<int> random_size(int max_size) {
   return rc::gen::map(random_int(0, 2 * max_size), [max_size](int k) {

@@ -1,6 +1,7 @@
 #include "tests/support/test_pictures.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
@@ -15,6 +16,8 @@
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
 #pragma GCC diagnostic pop
+
+#include "tests/support/ascii_picture.hpp"
 
 namespace depixel::test {
 namespace {
@@ -68,6 +71,19 @@ bool save_picture(const std::filesystem::path& file, const Picture& picture) {
   std::filesystem::create_directories(file.parent_path());
   return stbi_write_png(file.c_str(), picture.width, picture.height, 4, picture.pixels.data(),
                         4 * picture.width) != 0;
+}
+
+Picture hills(glm::ivec2 from, char low) {
+  Picture picture(96, 48);
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const double u = x + from.x, v = y + from.y;
+      const double height =
+          std::sin(0.31 * u + 0.17 * v) + std::sin(0.11 * u - 0.23 * v) + std::sin(0.47 * v + 0.002 * u * u);
+      picture.at(x, y) = palette_colour(height < -0.5 ? low : height < 0.7 ? 'g' : 'y');
+    }
+  }
+  return picture;
 }
 
 Picture premultiplied(Picture picture) {

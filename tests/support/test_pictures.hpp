@@ -16,6 +16,9 @@ Picture load_picture(const std::filesystem::path& file);
 /// Writes a PNG, and the folder it is in.
 bool save_picture(const std::filesystem::path& file, const Picture& picture);
 
+/// A landscape in which nothing comes twice, seen from a place: 96x48 pixels of three colours.
+Picture hills(glm::ivec2 from, char low = 'b');
+
 /// Colours weighted by their alpha: what is nearly transparent hardly shows its colour.
 Picture premultiplied(Picture picture);
 

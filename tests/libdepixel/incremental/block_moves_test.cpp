@@ -37,7 +37,7 @@ int differing(const SimilarityGraph& now, const SimilarityGraph& before, const B
 }
 
 std::vector<glm::ivec2> random_moves() {
-  const auto number = [] { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-9, 10)); };
+  const auto number = [] { return *random_int(-9, 10); };
   std::vector<glm::ivec2> moves{{0, 0}};
   for (int i = *rc::gen::inRange(0, 4); i > 0; --i) moves.insert(moves.begin(), {number(), number()});
   return moves;

@@ -5,13 +5,15 @@
 
 #include <set>
 
+#include "tests/support/random_pictures.hpp"
+
 namespace depixel::test {
 namespace {
 
 using Blocks = std::set<std::pair<int, int>>;  ///< columns and rows
 
 Lattice random_lattice() {
-  const auto size = [] { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(1, 60)); };
+  const auto size = [] { return *random_int(1, 60); };
   const int width = size();
   return {width, size()};
 }

@@ -9,8 +9,8 @@ namespace depixel::test {
 namespace {
 
 /// What a frame's contours are traced from.
-struct Cells {
-  Cells(const Picture& picture, const Options& options) {
+struct MarkedCells {
+  MarkedCells(const Picture& picture, const Options& options) {
     CrossingScratch scratch;
     build_similarity_graph(picture.view(), Similarity::exact, false, graph);
     resolve_crossings(graph, CrossingVotes::of(options), scratch);
@@ -45,14 +45,14 @@ RC_GTEST_PROP(IncrementalEdges, AreThoseFromScratchAndTellWhichDiffer, (const Se
   SimilarityGraph before;
   std::vector<CornerCode> codes_before;
   for (const SequenceFrame& frame : sequence.frames) {
-    const Cells now(frame.picture, options);
+    const MarkedCells now(frame.picture, options);
     const Lattice& lattice = now.cells.lattice;
     IncrementalEdges fresh;
     fresh.reset(lattice);
     fresh.trace_all(now.cells, now.marks, options);
     fresh.fit(now.cells, options, {}, workers);
     if (before.lattice == lattice && !before.pixels.empty()) {
-      const auto number = [] { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-5, 6)); };
+      const auto number = [] { return *random_int(-5, 6); };
       find_moves(frame.picture, before, {number(), number()}, blocks);
       edges.start(blocks);
       // All corners are stale that have edges now, or what was moved to them.

@@ -19,7 +19,7 @@ std::pair<SimilarityGraph, int> resolved(const Picture& picture, const Options& 
 }
 
 RC_GTEST_PROP(IncrementalGraph, IsThatFromScratchWhateverTheMoves, (const Sequence& sequence)) {
-  const auto number = [] { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-5, 6)); };
+  const auto number = [] { return *random_int(-5, 6); };
   IncrementalGraph graph;
   BlockMoves blocks;
   std::optional<Options> options;

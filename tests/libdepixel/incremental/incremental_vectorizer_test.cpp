@@ -8,6 +8,7 @@
 
 #include "tests/support/map_segments.hpp"
 #include "tests/support/random_sequences.hpp"
+#include "tests/support/test_pictures.hpp"
 
 namespace depixel::test {
 namespace {
@@ -99,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(IncrementalVectorizer, ThinFrames,
                                          std::pair{19, 1}, std::pair{2, 19}, std::pair{17, 2}));
 
 /// A picture with all that there is to be found: slopes, thin lines, T-junctions, junctions of four, dots.
-Picture busy_picture() {
+Picture varied_picture() {
   return ascii_picture({"................................",  //
                         "..rrrrrrrrr.........#...........",  //
                         "..rrrrrrrrrr.......#............",  //
@@ -118,23 +119,9 @@ Picture busy_picture() {
                         "................................"});
 }
 
-/// A landscape in which nothing comes twice, seen from a place.
-Picture hills(glm::ivec2 from) {
-  Picture picture(96, 48);
-  for (int y = 0; y < picture.height; ++y) {
-    for (int x = 0; x < picture.width; ++x) {
-      const double u = x + from.x, v = y + from.y;
-      const double height =
-          std::sin(0.31 * u + 0.17 * v) + std::sin(0.11 * u - 0.23 * v) + std::sin(0.47 * v + 0.002 * u * u);
-      picture.at(x, y) = palette_colour(height < -0.5 ? 'b' : height < 0.7 ? 'g' : 'y');
-    }
-  }
-  return picture;
-}
-
 /// A picture of 3 x 3 busy ones.
 Picture large_picture() {
-  const Picture one = busy_picture();
+  const Picture one = varied_picture();
   Picture whole(3 * one.width, 3 * one.height);
   for (int i = 0; i < 9; ++i) paste(whole, one, i % 3 * one.width, i / 3 * one.height);
   return whole;
@@ -147,7 +134,7 @@ Picture with_colour(Picture picture, char from, char to) {
 
 TEST(IncrementalVectorizer, TheFirstFrameIsNewEverywhere) {
   Both both;
-  ASSERT_EQ(both.mismatch({busy_picture(), {}}), "");
+  ASSERT_EQ(both.mismatch({varied_picture(), {}}), "");
   EXPECT_TRUE(both.incremental().changes().everything);
   EXPECT_EQ(both.incremental().stats().changed_tiles, 32 * 16);
   EXPECT_EQ(both.incremental().stats().moved_tiles, 0);
@@ -155,8 +142,8 @@ TEST(IncrementalVectorizer, TheFirstFrameIsNewEverywhere) {
 
 TEST(IncrementalVectorizer, TheSameFrameAgainChangesNothing) {
   Both both;
-  ASSERT_EQ(both.mismatch({busy_picture(), {}}), "");
-  ASSERT_EQ(both.mismatch({busy_picture(), {}}), "");
+  ASSERT_EQ(both.mismatch({varied_picture(), {}}), "");
+  ASSERT_EQ(both.mismatch({varied_picture(), {}}), "");
   const VectorizeStats& stats = both.incremental().stats();
   EXPECT_FALSE(both.incremental().changes().any());
   EXPECT_EQ(stats.changed_pixels, 0);
@@ -169,7 +156,7 @@ TEST(IncrementalVectorizer, TheSameFrameAgainChangesNothing) {
 
 TEST(IncrementalVectorizer, TransparentPixelsOfOtherColoursAreTheSame) {
   IncrementalVectorizer vectorizer;
-  Picture picture = with_colour(busy_picture(), '.', '_');
+  Picture picture = with_colour(varied_picture(), '.', '_');
   vectorizer.vectorize(picture.view(), {});
   for (Rgba& c : picture.pixels) {
     if (c.a == 0) c = {9, 8, 7, 0};
@@ -181,7 +168,7 @@ TEST(IncrementalVectorizer, TransparentPixelsOfOtherColoursAreTheSame) {
 
 TEST(IncrementalVectorizer, AFadeThatKeepsWhatIsEqualTracesAndFitsNothing) {
   Both both;
-  const Picture before = busy_picture();
+  const Picture before = varied_picture();
   ASSERT_EQ(both.mismatch({before, {}}), "");
   // Of two colours only, so that no pairing at a T-junction looks at them anew.
   const Picture after = with_colour(with_colour(before, 'c', 'e'), 'm', 'f');
@@ -228,22 +215,22 @@ TEST(IncrementalVectorizer, ASmallChangeTracesALittle) {
 
 TEST(IncrementalVectorizer, OtherOptionsMakeAllNew) {
   Both both;
-  ASSERT_EQ(both.mismatch({busy_picture(), {}}), "");
+  ASSERT_EQ(both.mismatch({varied_picture(), {}}), "");
   for (const Smoothing smoothing : {Smoothing::average, Smoothing::none, Smoothing::energy}) {
     Options options;
     options.smoothing = smoothing;
-    ASSERT_EQ(both.mismatch({busy_picture(), options}), "");
+    ASSERT_EQ(both.mismatch({varied_picture(), options}), "");
     EXPECT_TRUE(both.incremental().changes().everything);
   }
 }
 
 TEST(IncrementalVectorizer, OptionsOfDrawingAndThreadsMakeNothingNew) {
   Both both;
-  ASSERT_EQ(both.mismatch({busy_picture(), {}}), "");
+  ASSERT_EQ(both.mismatch({varied_picture(), {}}), "");
   Options options;
   options.linear_light = true;
   options.threads = 3;
-  ASSERT_EQ(both.mismatch({busy_picture(), options}), "");
+  ASSERT_EQ(both.mismatch({varied_picture(), options}), "");
   EXPECT_FALSE(both.incremental().changes().any());
 }
 
@@ -274,15 +261,15 @@ TEST(IncrementalVectorizer, DithersAreBlendedInTheLightOfEdges) {
 
 TEST(IncrementalVectorizer, AResetMakesAllNew) {
   Both both;
-  ASSERT_EQ(both.mismatch({busy_picture(), {}}), "");
-  ASSERT_EQ(both.mismatch({busy_picture(), {}, true}), "");
+  ASSERT_EQ(both.mismatch({varied_picture(), {}}), "");
+  ASSERT_EQ(both.mismatch({varied_picture(), {}, true}), "");
   EXPECT_TRUE(both.incremental().changes().everything);
   EXPECT_EQ(both.incremental().stats().changed_pixels, 32 * 16);
 }
 
 TEST(IncrementalVectorizer, ANewSizeMakesAllNew) {
   Both both;
-  ASSERT_EQ(both.mismatch({busy_picture(), {}}), "");
+  ASSERT_EQ(both.mismatch({varied_picture(), {}}), "");
   ASSERT_EQ(both.mismatch({large_picture(), {}}), "");
   EXPECT_TRUE(both.incremental().changes().everything);
   ASSERT_EQ(both.mismatch({Symmetry{false, 1}(large_picture()), {}}), "");

@@ -39,7 +39,7 @@ class Records {
 
   std::int64_t copied_tiles() const { return copied_tiles_; }
 
-  /// Empty if all tiles are those of a map that is cut from scratch, else which one is not.
+  /// Empty if all tiles are those of a map that is cut_anew from scratch, else which one is not.
   std::string mismatch(const LineTiles& scratch) const {
     if (width_ != scratch.width() || tiles_.size() != scratch.tiles().size()) return "another size";
     for (std::size_t i = 0; i < tiles_.size(); ++i) {
@@ -60,7 +60,7 @@ class Records {
   std::int64_t copied_tiles_ = 0;
 };
 
-LineTiles cut(const IncrementalVectorizer& vectorizer, glm::dvec2 scale, TileEncoding encoding) {
+LineTiles cut_anew(const IncrementalVectorizer& vectorizer, glm::dvec2 scale, TileEncoding encoding) {
   LineTiles tiles;
   tiles.build(vectorizer.map(), scale, encoding);
   return tiles;
@@ -95,7 +95,7 @@ RC_GTEST_PROP(LineTilesUpdater, TilesAreThoseCutFromScratch, (const Sequence& se
     updater.update(vectorizer, changes, scale, encoding);
     changes.set_nothing();
     records.copy_new(updater);
-    const LineTiles scratch = cut(vectorizer, scale, encoding);
+    const LineTiles scratch = cut_anew(vectorizer, scale, encoding);
     RC_ASSERT(records.mismatch(scratch) == "");
     RC_ASSERT(updater.tiles() == scratch);
     std::size_t lines = 0;
@@ -148,7 +148,7 @@ TEST(LineTilesUpdater, CutsOnlyWhatComesIntoViewOfWhatScrolls) {
     if (x == 0) continue;
     const std::size_t lines = updater.tiles().lines().size() - updater.first_new_line();
     EXPECT_LT(10 * lines, updater.tiles().used_lines());
-    EXPECT_TRUE(updater.tiles() == cut(vectorizer, {4, 4}, TileEncoding::levels));
+    EXPECT_TRUE(updater.tiles() == cut_anew(vectorizer, {4, 4}, TileEncoding::levels));
   }
 }
 
@@ -166,7 +166,7 @@ TEST(LineTilesUpdater, CutsAllForAnotherScaleOrLight) {
     updater.update(vectorizer, nothing, scale, encoding);
     EXPECT_TRUE(updater.is_all_new());
     EXPECT_TRUE(updater.is_for(scale, encoding));
-    EXPECT_TRUE(updater.tiles() == cut(vectorizer, scale, encoding));
+    EXPECT_TRUE(updater.tiles() == cut_anew(vectorizer, scale, encoding));
   };
   expect_all_cut({3, 4}, TileEncoding::levels);
   expect_all_cut({3, 4}, TileEncoding::light);
@@ -185,7 +185,7 @@ TEST(LineTilesUpdater, LinesThatAreNobodysAreDropped) {
     EXPECT_LE(updater.tiles().lines().size(), 2 * updater.tiles().used_lines());
     if (frame == 0 || !updater.is_all_new()) continue;
     ++compactions;
-    EXPECT_EQ(updater.tiles().lines(), cut(vectorizer, {3, 3}, TileEncoding::levels).lines());
+    EXPECT_EQ(updater.tiles().lines(), cut_anew(vectorizer, {3, 3}, TileEncoding::levels).lines());
   }
   EXPECT_GT(compactions, 0);
   EXPECT_LT(compactions, 20);

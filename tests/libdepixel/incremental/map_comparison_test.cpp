@@ -33,7 +33,7 @@ struct TileContent {
   friend bool operator==(const TileContent&, const TileContent&) = default;
 };
 
-glm::ivec2 point_of(const Segment& s, int numerator, int denominator) {
+glm::ivec2 point_on(const Segment& s, int numerator, int denominator) {
   const double t = double(numerator) / denominator, u = 1 - t;
   const glm::dvec2 p = u * u * u * glm::dvec2(s.p0) + 3 * u * u * t * glm::dvec2(s.p1) +
                        3 * u * t * t * glm::dvec2(s.p2) + t * t * t * glm::dvec2(s.p3);
@@ -74,7 +74,7 @@ std::vector<TileContent> contents_of(const PlanarMap& map) {
   for (const Segment& s : map.segments) {
     std::set<int> tiles;
     for (int k = 0; k <= kSamples; ++k) {
-      const glm::ivec2 p = point_of(s, k, kSamples);
+      const glm::ivec2 p = point_on(s, k, kSamples);
       // Points on a side belong to the tiles on either side.
       for (const int y : {(p.y - 1) >> 12, p.y >> 12}) {
         for (const int x : {(p.x - 1) >> 12, p.x >> 12}) tiles.insert(lattice.pixel(x, y));
@@ -143,9 +143,7 @@ RC_GTEST_PROP(MapComparison, TilesAreWhatTheyAreSaidToBe, (const Sequence& seque
 }
 
 RC_GTEST_PROP(MapComparison, MovesNeedNotBeRight, (const Sequence& sequence)) {
-  const auto number = [](int from, int end) {
-    return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, end));
-  };
+  const auto number = [](int from, int end) { return *random_int(from, end); };
   std::vector<glm::ivec2> moves;
   for (int i = number(1, 5); i > 0; --i) moves.emplace_back(number(-4, 5), number(-4, 5));
 

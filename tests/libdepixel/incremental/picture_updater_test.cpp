@@ -10,6 +10,7 @@
 
 #include "tests/support/guarded_canvas.hpp"
 #include "tests/support/random_sequences.hpp"
+#include "tests/support/test_pictures.hpp"
 
 namespace depixel::test {
 namespace {
@@ -57,11 +58,7 @@ std::ostream& operator<<(std::ostream& out, const DrawPlan& p) {
              << p.linear_light << ", " << p.threads << '}';
 }
 
-rc::Gen<int> random_int(int from, int end) {
-  return rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, end));
-}
-
-rc::Gen<ViewPlan> random_view() {
+rc::Gen<ViewPlan> random_plan() {
   const auto kind = rc::gen::map(random_int(0, 3), [](int k) { return ViewPlan::Kind(k); });
   const auto scale = rc::gen::element(1.0, 1.5, 2.0, 2.0, 2.5, 3.0, 3.0, 3.33, 4.0, 4.0, 6.0, 7.0);
   const auto both = rc::gen::map(scale, [](double s) { return std::pair(s, s); });
@@ -148,7 +145,7 @@ class Drawing {
 };
 
 RC_GTEST_PROP(PictureUpdater, PixelsAreThoseDrawnFromScratch, (const Sequence& sequence)) {
-  const std::array<ViewPlan, 2> views{*random_view(), *random_view()};
+  const std::array<ViewPlan, 2> views{*random_plan(), *random_plan()};
   // Where the list is too short, frames are drawn in the plainest way.
   const auto plans = *rc::gen::resize(20, rc::gen::container<std::vector<DrawPlan>>(random_draw()));
   Drawing drawing(views);
@@ -178,26 +175,12 @@ TEST_P(Scale, PixelsOfLongSequencesAreThoseDrawnFromScratch) {
 
 INSTANTIATE_TEST_SUITE_P(PictureUpdater, Scale, testing::Values(1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 7.0));
 
-constexpr int kScale = 4;
+constexpr int kUpdatedScale = 4;
 
-/// A landscape in which nothing comes twice, seen from a place.
-Picture hills(glm::ivec2 from, char low = 'b') {
-  Picture picture(96, 48);
-  for (int y = 0; y < picture.height; ++y) {
-    for (int x = 0; x < picture.width; ++x) {
-      const double u = x + from.x, v = y + from.y;
-      const double height =
-          std::sin(0.31 * u + 0.17 * v) + std::sin(0.11 * u - 0.23 * v) + std::sin(0.47 * v + 0.002 * u * u);
-      picture.at(x, y) = palette_colour(height < -0.5 ? low : height < 0.7 ? 'g' : 'y');
-    }
-  }
-  return picture;
-}
-
-constexpr std::int64_t kPixels = std::int64_t{96} * 48 * kScale * kScale;
+constexpr std::int64_t kPixels = std::int64_t{96} * 48 * kUpdatedScale * kUpdatedScale;
 
 /// Whole frames at four times their size.
-constexpr ViewPlan kWhole{ViewPlan::Kind::whole, kScale, kScale};
+constexpr ViewPlan kWhole{ViewPlan::Kind::whole, kUpdatedScale, kUpdatedScale};
 
 TEST(PictureUpdater, TheFirstFrameIsDrawnWhole) {
   Drawing drawing({kWhole, kWhole});
@@ -219,7 +202,7 @@ TEST(PictureUpdater, ASmallChangeDrawsAFewPixels) {
   ASSERT_EQ(drawing.mismatch({picture, {}}, {}), "");
   picture.at(50, 20) = palette_colour('#');
   ASSERT_EQ(drawing.mismatch({picture, {}}, {}), "");
-  EXPECT_GE(drawing.updater().drawn_pixels(), kScale * kScale);
+  EXPECT_GE(drawing.updater().drawn_pixels(), kUpdatedScale * kUpdatedScale);
   EXPECT_LT(drawing.updater().drawn_pixels(), kPixels / 20);
 }
 
@@ -248,7 +231,7 @@ TEST(PictureUpdater, FramesThatWereNotDrawnAddUp) {
     picture.at(10 + 20 * i, 10 * i) = palette_colour('#');
     ASSERT_EQ(drawing.mismatch({picture, {}}, {.is_left_out = i < 3}), "");
   }
-  EXPECT_GT(drawing.updater().drawn_pixels(), 4 * kScale * kScale);
+  EXPECT_GT(drawing.updater().drawn_pixels(), 4 * kUpdatedScale * kUpdatedScale);
   EXPECT_LT(drawing.updater().drawn_pixels(), kPixels / 5);
   for (int i = 1; i < 4; ++i) {
     ASSERT_EQ(drawing.mismatch({hills({i, 0}), {}}, {.is_left_out = i < 3}), "");
@@ -302,10 +285,10 @@ TEST(PictureUpdater, EmptyTargetsAreLeftAlone) {
 }
 
 TEST(PictureUpdater, AnEmptyTargetDoesNotTakeTheChangesOfAnother) {
-  const View view{kScale, kScale, 0, 0};
+  const View view{kUpdatedScale, kUpdatedScale, 0, 0};
   IncrementalVectorizer vectorizer;
   PictureUpdater updater;
-  Picture kept(96 * kScale, 48 * kScale), expected = kept;
+  Picture kept(96 * kUpdatedScale, 48 * kUpdatedScale), expected = kept;
   vectorizer.vectorize(hills({0, 0}).view(), {});
   updater.draw(vectorizer, vectorizer.changes(), view, false, 1, kept.target(), true);
   vectorizer.vectorize(hills({1, 0}).view(), {});

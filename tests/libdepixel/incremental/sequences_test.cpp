@@ -111,11 +111,11 @@ TEST_P(Sequences, InterleavedWithAnotherAreAsFromScratch) {
   expect_as_from_scratch(interleaved);
 }
 
-std::string stem_of(const testing::TestParamInfo<std::filesystem::path>& info) {
+std::string name_of(const testing::TestParamInfo<std::filesystem::path>& info) {
   return info.param.filename().string();
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Sequences, testing::ValuesIn(sequence_folders()), stem_of);
+INSTANTIATE_TEST_SUITE_P(All, Sequences, testing::ValuesIn(sequence_folders()), name_of);
 
 }  // namespace
 }  // namespace depixel::test

@@ -54,9 +54,7 @@ void for_each_pixel(const Lattice& lattice, const OutputGrid& grid, int tile, Vi
 }
 
 RC_GTEST_PROP(TileMover, EqualsACopyOfEachTileFromThePictureBefore, ()) {
-  const auto number = [](int from, int end) {
-    return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, end));
-  };
+  const auto number = [](int from, int end) { return *random_int(from, end); };
   const Lattice lattice(number(1, 24), number(1, 16));
   const int scale_x = number(1, 5), scale_y = number(1, 5);
   const glm::ivec2 origin(number(-3, 6), number(-3, 6));

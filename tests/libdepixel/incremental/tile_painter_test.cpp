@@ -10,12 +10,8 @@
 namespace depixel::test {
 namespace {
 
-int number(int from, int end) {
-  return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, end));
-}
-
-std::int64_t draw(TilePainter& painter, const IncrementalVectorizer& source, const OutputGrid& grid,
-                  bool linear_light, const std::vector<std::uint8_t>& is_stale, Workers& workers) {
+std::int64_t paint(TilePainter& painter, const IncrementalVectorizer& source, const OutputGrid& grid,
+                   bool linear_light, const std::vector<std::uint8_t>& is_stale, Workers& workers) {
   if (source.is_opaque() && grid.covers_target()) {
     return linear_light ? painter.draw<OpaqueLight>(source, source.colours(), grid, is_stale, workers)
                         : painter.draw<OpaqueColour>(source, source.colours(), grid, is_stale, workers);
@@ -29,7 +25,7 @@ RC_GTEST_PROP(TilePainter, TilesAreThoseDrawnFromScratch, (const Picture& pictur
   options.shading = ShadingKind::none;  // shaded tiles are not its business
   options.soft_contours = 0;
   const double scale_x = *rc::gen::element(4, 4, 6, 8, 16), scale_y = *rc::gen::element(4, 4, 6, 8, 10);
-  const glm::ivec2 origin(number(0, 2), number(0, 2)), beyond(number(0, 9), number(0, 9));
+  const glm::ivec2 origin(*random_int(0, 2), *random_int(0, 2)), beyond(*random_int(0, 9), *random_int(0, 9));
   const View view{scale_x, scale_y, -double(origin.x), -double(origin.y)};
   const glm::ivec2 frame(picture.width, picture.height);
   const glm::ivec2 size = (frame + origin) * glm::ivec2(scale_x, scale_y) + beyond;
@@ -45,14 +41,14 @@ RC_GTEST_PROP(TilePainter, TilesAreThoseDrawnFromScratch, (const Picture& pictur
   const OutputGrid grid(view, lattice, canvas.target());
   RC_ASSERT(TilePainter::fits(grid));
   std::vector<std::uint8_t> is_stale(lattice.size(), 0);
-  const int rarity = number(1, 6);
+  const int rarity = *random_int(1, 6);
   for (int y = 0; y < frame.y; ++y) {
-    for (int x = 0; x < frame.x; ++x) is_stale[lattice.pixel(x, y)] = number(0, rarity) == 0 ? 1 : 0;
+    for (int x = 0; x < frame.x; ++x) is_stale[lattice.pixel(x, y)] = *random_int(0, rarity) == 0 ? 1 : 0;
   }
   Workers workers;
-  workers.set_threads(number(1, 4));
+  workers.set_threads(*random_int(1, 4));
   TilePainter painter;
-  draw(painter, source, grid, options.linear_light, is_stale, workers);
+  paint(painter, source, grid, options.linear_light, is_stale, workers);
   RC_ASSERT(canvas.is_guard_whole());
   const Picture after = canvas.picture();
   for (int y = 0; y < size.y; ++y) {

@@ -15,11 +15,6 @@
 namespace depixel::test {
 namespace {
 
-PlanarMap vectorized(const Picture& picture, const Options& options) {
-  Vectorizer vectorizer;
-  return vectorizer.vectorize(picture.view(), options);
-}
-
 RC_GTEST_PROP(Vectorizer, FlipsAndTurnsCommute, (const Picture& picture)) {
   const Options options = *random_options();
   const PlanarMap map = vectorized(picture, options);

@@ -13,7 +13,7 @@
 namespace depixel::test {
 namespace {
 
-constexpr int kPixel = kSubpixels, kHalf = kSubpixels / 2;
+constexpr int kPixelSide = kSubpixels, kHalf = kSubpixels / 2;
 
 /// A map of a two-coloured picture, 3x2 pixels, whose regions are divided by curves that a test draws: east
 /// of them, when they go down, lies what pixel (2, 0) shows, west of them what pixel (0, 0) shows.
@@ -39,7 +39,7 @@ struct HandMade {
 
 TEST(VerifyCentres, AStraightEdgeLosesNothing) {
   HandMade made;
-  made.line({2 * kPixel, 0}, {2 * kPixel, 2 * kPixel});
+  made.line({2 * kPixelSide, 0}, {2 * kPixelSide, 2 * kPixelSide});
   const CentreReport report = made.verify();
   EXPECT_EQ(report.pixels, 6);
   EXPECT_EQ(report.lost, 0);
@@ -49,7 +49,7 @@ TEST(VerifyCentres, AStraightEdgeLosesNothing) {
 
 TEST(VerifyCentres, DirectionDoesNotMatter) {
   HandMade made;
-  made.line({2 * kPixel, 2 * kPixel}, {2 * kPixel, 0});
+  made.line({2 * kPixelSide, 2 * kPixelSide}, {2 * kPixelSide, 0});
   std::swap(made.map.segments[0].left, made.map.segments[0].right);
   EXPECT_EQ(made.verify().lost, 0);
 }
@@ -64,10 +64,11 @@ TEST(VerifyCentres, AMissingEdgeLosesWhatItHid) {
 
 TEST(VerifyCentres, AnEdgeThatPassesACentreLosesIt) {
   HandMade made;
-  made.line({2 * kPixel, 0}, {2 * kPixel, kPixel});
-  made.line({2 * kPixel, kPixel}, {kPixel + kPixel / 4, kPixel});  // level: between two rows of centres
-  made.line({kPixel + kPixel / 4, kPixel},
-            {kPixel + kPixel / 4, 2 * kPixel});  // a quarter west of centre (1, 1)
+  made.line({2 * kPixelSide, 0}, {2 * kPixelSide, kPixelSide});
+  made.line({2 * kPixelSide, kPixelSide},
+            {kPixelSide + kPixelSide / 4, kPixelSide});  // level: between two rows of centres
+  made.line({kPixelSide + kPixelSide / 4, kPixelSide},
+            {kPixelSide + kPixelSide / 4, 2 * kPixelSide});  // a quarter west of centre (1, 1)
   const CentreReport report = made.verify();
   EXPECT_EQ(report.lost, 1);
   EXPECT_EQ(report.first_lost_x, 1);
@@ -78,10 +79,11 @@ TEST(VerifyCentres, AnEdgeThatPassesACentreLosesIt) {
 TEST(VerifyCentres, NearestIsMeasuredToTheCurveNotToItsControlPoints) {
   // The arch x = 1.75 + 3 t (1 - t) / 4 .. reaches x = 1.5 + 1/16 in its middle, 1/16 east of centre (1, 0).
   HandMade made;
-  const int edge = 2 * kPixel, middle = kPixel + kHalf + kPixel / 16;
+  const int edge = 2 * kPixelSide, middle = kPixelSide + kHalf + kPixelSide / 16;
   const int control = edge - (edge - middle) * 4 / 3;
-  made.curve({edge, 0}, {control, kPixel / 3}, {control, kPixel - kPixel / 3}, {edge, kPixel});
-  made.line({edge, kPixel}, {edge, 2 * kPixel});
+  made.curve({edge, 0}, {control, kPixelSide / 3}, {control, kPixelSide - kPixelSide / 3},
+             {edge, kPixelSide});
+  made.line({edge, kPixelSide}, {edge, 2 * kPixelSide});
   const CentreReport report = made.verify();
   EXPECT_EQ(report.lost, 0);
   EXPECT_NEAR(report.nearest, 1 / 16.0, 1.0 / kSubpixels);
@@ -90,11 +92,11 @@ TEST(VerifyCentres, NearestIsMeasuredToTheCurveNotToItsControlPoints) {
 TEST(VerifyCentres, EndsOnACentreLineCountOnce) {
   // Knots exactly at the height of the centres, reached from above and from below.
   HandMade made;
-  const int x = 2 * kPixel;
+  const int x = 2 * kPixelSide;
   made.line({x, 0}, {x, kHalf});
-  made.line({x, kHalf}, {x + kPixel / 8, kHalf});
-  made.line({x + kPixel / 8, kHalf}, {x + kPixel / 8, kPixel + kHalf});
-  made.line({x + kPixel / 8, kPixel + kHalf}, {x, 2 * kPixel});
+  made.line({x, kHalf}, {x + kPixelSide / 8, kHalf});
+  made.line({x + kPixelSide / 8, kHalf}, {x + kPixelSide / 8, kPixelSide + kHalf});
+  made.line({x + kPixelSide / 8, kPixelSide + kHalf}, {x, 2 * kPixelSide});
   EXPECT_EQ(made.verify().lost, 0);
 }
 
@@ -103,8 +105,8 @@ TEST(VerifyCentres, ATouchOfACentreLineChangesNothing) {
   // it.
   for (const int away : {-kHalf, kHalf}) {
     HandMade made;
-    made.line({2 * kPixel, 0}, {2 * kPixel, 2 * kPixel});
-    const glm::ivec2 touch(kPixel, kHalf);
+    made.line({2 * kPixelSide, 0}, {2 * kPixelSide, 2 * kPixelSide});
+    const glm::ivec2 touch(kPixelSide, kHalf);
     // The middle of the cubic lies three quarters of the way to the inner control points.
     made.curve(touch + glm::ivec2(-kHalf / 2, away), touch + glm::ivec2(-kHalf / 4, -away / 3),
                touch + glm::ivec2(kHalf / 4, -away / 3), touch + glm::ivec2(kHalf / 2, away));
@@ -116,17 +118,18 @@ TEST(VerifyCentres, ATouchOfACentreLineChangesNothing) {
 TEST(VerifyCentres, AnSCurveCrossesALineThreeTimes) {
   // Down past the line, up over it, and down again, all between two centres.
   HandMade made;
-  const glm::ivec2 top(2 * kPixel - kPixel / 4, 0), bottom(2 * kPixel + kPixel / 4, kPixel);
-  made.curve(top, {2 * kPixel, 3 * kPixel}, {2 * kPixel, -2 * kPixel}, bottom);
-  made.line(bottom, {2 * kPixel, 2 * kPixel});
+  const glm::ivec2 top(2 * kPixelSide - kPixelSide / 4, 0),
+      bottom(2 * kPixelSide + kPixelSide / 4, kPixelSide);
+  made.curve(top, {2 * kPixelSide, 3 * kPixelSide}, {2 * kPixelSide, -2 * kPixelSide}, bottom);
+  made.line(bottom, {2 * kPixelSide, 2 * kPixelSide});
   EXPECT_EQ(made.verify().lost, 0);
 }
 
 TEST(VerifyCentres, CurvesOutsideTheFrameAreHarmless) {
   HandMade made;
-  made.line({2 * kPixel, 0}, {2 * kPixel, 2 * kPixel});
-  made.line({9 * kPixel, -5 * kPixel}, {9 * kPixel, 7 * kPixel});
-  made.line({0, -5 * kPixel}, {3 * kPixel, -5 * kPixel});
+  made.line({2 * kPixelSide, 0}, {2 * kPixelSide, 2 * kPixelSide});
+  made.line({9 * kPixelSide, -5 * kPixelSide}, {9 * kPixelSide, 7 * kPixelSide});
+  made.line({0, -5 * kPixelSide}, {3 * kPixelSide, -5 * kPixelSide});
   EXPECT_EQ(made.verify().lost, 0);
 }
 
@@ -156,7 +159,7 @@ TEST(VerifyCentres, TransparentPixelsHaveAColourToo) {
 RC_GTEST_PROP(VerifyCentres, CountsWhatSamplingSees, (Picture picture)) {
   Vectorizer vectorizer;
   PlanarMap map = vectorizer.vectorize(picture.view(), *random_lossless_options());
-  const int shift = *rc::gen::element(0, kPixel / 3, kPixel * 2 / 3, kPixel);
+  const int shift = *rc::gen::element(0, kPixelSide / 3, kPixelSide * 2 / 3, kPixelSide);
   for (Segment& s : map.segments) {
     for (glm::ivec2* p : {&s.p0, &s.p1, &s.p2, &s.p3}) p->x += shift;
   }

@@ -10,6 +10,7 @@
 #include "libdepixel/core/tolerances.hpp"
 #include "libdepixel/pipeline/vectorizer.hpp"
 #include "tests/support/map_sampler.hpp"
+#include "tests/support/map_segments.hpp"
 #include "tests/support/random_pictures.hpp"
 #include "tests/support/test_pictures.hpp"
 
@@ -30,11 +31,6 @@ Picture draw(const PlanarMap& map, const View& view, int width, int height, bool
   CpuRaster raster;
   raster.draw(map, view, linear_light, threads, out.target());
   return out;
-}
-
-PlanarMap vectorized(const Picture& picture, const Options& options = {}) {
-  Vectorizer vectorizer;
-  return vectorizer.vectorize(picture.view(), options);
 }
 
 /// A map without curves: every region is one pixel of the picture, told apart by axis-parallel lines.

@@ -7,20 +7,17 @@
 
 #include "libdepixel/raster/flatten.hpp"
 #include "libdepixel/stages/planar_map.hpp"
+#include "tests/support/random_pictures.hpp"
 
 namespace depixel::test {
 namespace {
 
-int number(int from, int end) {
-  return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(from, end));
-}
-
 /// Any curve that stays near its edge.
-EdgeCurve random_curve() {
+EdgeCurve curve_near_edge() {
   const bool southwards = *rc::gen::arbitrary<bool>();
   const auto point = [&] {
-    return glm::i16vec2(number(1 - kSubpixels, southwards ? kSubpixels : 2 * kSubpixels),
-                        number(1 - kSubpixels, southwards ? 2 * kSubpixels : kSubpixels));
+    return glm::i16vec2(*random_int(1 - kSubpixels, southwards ? kSubpixels : 2 * kSubpixels),
+                        *random_int(1 - kSubpixels, southwards ? 2 * kSubpixels : kSubpixels));
   };
   const glm::i16vec2 p0 = point(), p1 = point(), p2 = point(), p3 = point();
   return {p0, p1, p2, p3};
@@ -34,10 +31,10 @@ struct Area {
 };
 
 RC_GTEST_PROP(CurveCells, AreWhatLinesAddAnywhere, ()) {
-  const int scale_x = number(1, CurveCells::kLargestScale + 1);
-  const int scale_y = number(1, CurveCells::kLargestScale + 1);
-  const glm::ivec2 owner(number(2, 8), number(2, 8));
-  const int width = 12 * scale_x, pitch = width + number(1, 50);
+  const int scale_x = *random_int(1, CurveCells::kLargestScale + 1);
+  const int scale_y = *random_int(1, CurveCells::kLargestScale + 1);
+  const glm::ivec2 owner(*random_int(2, 8), *random_int(2, 8));
+  const int width = 12 * scale_x, pitch = width + *random_int(1, 50);
   const OutputGrid grid(View{double(scale_x), double(scale_y), 0, 0}, Lattice(12, 12), PictureView{});
   RC_ASSERT(CurveCells::fits(grid));
   CurveCells cells;
@@ -45,8 +42,8 @@ RC_GTEST_PROP(CurveCells, AreWhatLinesAddAnywhere, ()) {
   BandSums<Area> sums;
   sums.resize(width);
   std::map<int, EdgeCurve> known;
-  for (int i = 0, count = number(1, 40); i < count; ++i) {
-    const EdgeCurve curve = random_curve();
+  for (int i = 0, count = *random_int(1, 40); i < count; ++i) {
+    const EdgeCurve curve = curve_near_edge();
     const int found = cells.number_of(curve);
     RC_ASSERT(found != 0);
     RC_ASSERT(known.emplace(found, curve).first->second == curve);

@@ -4,15 +4,14 @@
 #include <rapidcheck/gtest.h>
 
 #include "libdepixel/stages/planar_map.hpp"
+#include "tests/support/random_pictures.hpp"
 
 namespace depixel::test {
 namespace {
 
 RC_GTEST_PROP(CurveToOutput, MapsAsTheGridDoesRoundAnyCorner, ()) {
   const auto scale = [] { return *rc::gen::inRange(1, 65); };
-  const auto coordinate = [] {
-    return static_cast<std::int16_t>(*rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-8192, 8193)));
-  };
+  const auto coordinate = [] { return static_cast<std::int16_t>(*random_int(-8192, 8193)); };
   const auto point = [&] { return glm::i16vec2(coordinate(), coordinate()); };
   const glm::ivec2 scales(scale(), scale());
   const glm::ivec2 origin(*rc::gen::inRange(-9, 10), *rc::gen::inRange(-9, 10));

@@ -7,21 +7,17 @@
 
 #include "libdepixel/pipeline/vectorizer.hpp"
 #include "libdepixel/raster/cpu_raster.hpp"
+#include "tests/support/map_segments.hpp"
 #include "tests/support/random_pictures.hpp"
 
 namespace depixel::test {
 namespace {
 
-Picture draw(const PlanarMap& map, const View& view, int width, int height, bool linear_light,
-             int threads = 1) {
+Picture draw_shaded(const PlanarMap& map, const View& view, int width, int height, bool linear_light,
+                    int threads = 1) {
   Picture out(width, height, {1, 2, 3, 4});
   CpuRaster().draw(map, view, linear_light, threads, out.target());
   return out;
-}
-
-PlanarMap vectorized(const Picture& picture, const Options& options) {
-  Vectorizer vectorizer;
-  return vectorizer.vectorize(picture.view(), options);
 }
 
 rc::Gen<Options> random_shaded_options() {
@@ -41,12 +37,12 @@ RC_GTEST_PROP(RegionSums, EvenMapsAreDrawnToTheSameBits, (const Picture& picture
   map.shading = {};
   const View view{random_scale(), random_scale(), *rc::gen::element(-2.5, 0.0, 1.3),
                   *rc::gen::element(-1.0, 0.0, 0.7)};
-  const Picture even = draw(map, view, 43, 35, options.linear_light);
+  const Picture even = draw_shaded(map, view, 43, 35, options.linear_light);
   // All blocks are said to be shaded, each pixel with its own region's colour.
   map.shading.any = true;
   map.shading.shades = map.colours;
   map.shading.blocks.assign(map.lattice.size(), Shading::kShaded);
-  RC_ASSERT(draw(map, view, 43, 35, options.linear_light, *rc::gen::element(1, 3)) == even);
+  RC_ASSERT(draw_shaded(map, view, 43, 35, options.linear_light, *rc::gen::element(1, 3)) == even);
 }
 
 RC_GTEST_PROP(RegionSums, CentresHaveTheirPixelsOwnColour, (const Picture& picture)) {
@@ -56,7 +52,7 @@ RC_GTEST_PROP(RegionSums, CentresHaveTheirPixelsOwnColour, (const Picture& pictu
   options.dither = DitherKind::keep;
   const PlanarMap map = vectorized(picture, options);
   const Picture out =
-      draw(map, {15, 15, 0, 0}, 15 * picture.width, 15 * picture.height, options.linear_light);
+      draw_shaded(map, {15, 15, 0, 0}, 15 * picture.width, 15 * picture.height, options.linear_light);
   for (int y = 0; y < picture.height; ++y) {
     for (int x = 0; x < picture.width; ++x) {
       RC_ASSERT(out.at(15 * x + 7, 15 * y + 7) == normalized(picture.at(x, y)));
@@ -131,7 +127,7 @@ RC_GTEST_PROP(RegionSums, PixelsAreTheMeanOfTheirRegions, ()) {
     covered.shading = {};
     for (Rgba& c : covered.colours)
       c = c == region ? Rgba{kLight, kLight, kLight, 255} : Rgba{kDark, kDark, kDark, 255};
-    const Picture coverage = draw(covered, view, width, height, false);
+    const Picture coverage = draw_shaded(covered, view, width, height, false);
     for (int i = 0; i < width * height; ++i) {
       const int x = i % width, y = i / width;
       const auto colour = naive_colour(map, region, (x + 0.5) / scale, (y + 0.5) / scale);
@@ -139,7 +135,7 @@ RC_GTEST_PROP(RegionSums, PixelsAreTheMeanOfTheirRegions, ()) {
         expected[i][k] += colour[k] * (coverage.pixels[i].r - kDark) / double(kLight - kDark);
     }
   }
-  const Picture out = draw(map, view, width, height, false);
+  const Picture out = draw_shaded(map, view, width, height, false);
   // Half a level of the greys for each coverage, and half a level for shades, their mixture and sums.
   const double rounding = 0.5 * 255 / (kLight - kDark) * double(regions.size()) + 1.5;
   for (int i = 0; i < width * height; ++i) {

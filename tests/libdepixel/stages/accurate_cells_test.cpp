@@ -170,8 +170,8 @@ RC_GTEST_PROP(AccurateCells, CoverTheFrame, ()) {
 }
 
 /// A cell's edges inside the frame, from smaller to larger end, each with the pixel.
-using Edge = std::array<int, 5>;
-Edge edge(glm::ivec2 a, glm::ivec2 b, int pixel) {
+using CellEdge = std::array<int, 5>;
+CellEdge edge(glm::ivec2 a, glm::ivec2 b, int pixel) {
   if (std::pair(b.x, b.y) < std::pair(a.x, a.y)) std::swap(a, b);
   return {a.x, a.y, b.x, b.y, pixel};
 }
@@ -181,7 +181,7 @@ RC_GTEST_PROP(AccurateCells, TheMapHasTheEdgesOfThePolygons, ()) {
   const SimilarityGraph graph = resolved_graph(picture);
   const glm::ivec2 size = glm::ivec2(picture.width, picture.height) * kSubpixels;
   for (const CellShape shape : kShapes) {
-    std::multiset<Edge> of_polygons, of_map;
+    std::multiset<CellEdge> of_polygons, of_map;
     for (int y = 0; y < picture.height; ++y) {
       for (int x = 0; x < picture.width; ++x) {
         const std::vector<glm::ivec2> polygon = cell(graph, shape, x, y);

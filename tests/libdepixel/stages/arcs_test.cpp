@@ -15,7 +15,7 @@ namespace {
 
 using Points = std::vector<std::pair<int, int>>;
 
-Points corners_of(const Vectorizer& v, const Arc& arc) {
+Points points_of(const Vectorizer& v, const Arc& arc) {
   Points list;
   for (int k = arc.first; k < arc.first + arc.count; ++k) {
     const glm::ivec2 p = v.cells().lattice.corner_position(v.arcs().corner[k]);
@@ -26,7 +26,7 @@ Points corners_of(const Vectorizer& v, const Arc& arc) {
 
 std::vector<Points> all_corners(const Vectorizer& v) {
   std::vector<Points> list;
-  for (const Arc& arc : v.arcs().list) list.push_back(corners_of(v, arc));
+  for (const Arc& arc : v.arcs().list) list.push_back(points_of(v, arc));
   return list;
 }
 
@@ -102,7 +102,7 @@ TEST(Arcs, AClosedContourThatIsCutOnceRunsFromTheCutToTheCut) {
                   .view(),
               {});
   ASSERT_EQ(v.arcs().list.size(), 1U);
-  const Points corners = corners_of(v, v.arcs().list[0]);
+  const Points corners = points_of(v, v.arcs().list[0]);
   EXPECT_FALSE(v.arcs().list[0].kind.closed);
   EXPECT_EQ(corners.front(), std::pair(1, 1));
   EXPECT_EQ(corners.back(), std::pair(1, 1));

@@ -21,8 +21,8 @@ struct Cells {
   CornerCode corner(int x, int y) const { return cells.corners[cells.lattice.corner(x, y)]; }
 };
 
-Cells build(const Picture& picture, Similarity similarity = Similarity::exact, bool connect_lines = false,
-            const CrossingVotes& votes = {}) {
+Cells build_cells(const Picture& picture, Similarity similarity = Similarity::exact,
+                  bool connect_lines = false, const CrossingVotes& votes = {}) {
   Cells result;
   CrossingScratch scratch;
   const bool merges = similarity == Similarity::merge || connect_lines;
@@ -78,7 +78,7 @@ TEST(CellGraph, DiagonalsCutTheirCornerInEveryOrientation) {
                                          "...."});
   for (const Symmetry& symmetry : kSymmetries) {
     const bool rises = symmetry.mirrored != (symmetry.quarter_turns % 2 == 1);
-    const CornerCode code = build(symmetry(falling)).corner(2, 2);
+    const CornerCode code = build_cells(symmetry(falling)).corner(2, 2);
     EXPECT_EQ(code.visible_edges(), kN | kE | kS | kW);
     EXPECT_TRUE(code.is_cut());
     EXPECT_EQ(code.pairing(), rises ? CornerCode::kNorthWest : CornerCode::kNorthEast);
@@ -88,8 +88,8 @@ TEST(CellGraph, DiagonalsCutTheirCornerInEveryOrientation) {
 TEST(CellGraph, ALoneCornerIsARightAngleCutByItsDiagonal) {
   // The three red pixels keep a diagonal, which cuts the corner of the white one: figure 32, a node a quarter
   // off.
-  const CornerCode code = build(ascii_picture({"rr",  //
-                                               "r."}))
+  const CornerCode code = build_cells(ascii_picture({"rr",  //
+                                                     "r."}))
                               .corner(1, 1);
   EXPECT_EQ(code.visible_edges(), kE | kS);
   EXPECT_TRUE(code.is_cut());
@@ -98,9 +98,9 @@ TEST(CellGraph, ALoneCornerIsARightAngleCutByItsDiagonal) {
 }
 
 TEST(CellGraph, StraightEdgesAreNotCut) {
-  const Cells cells = build(ascii_picture({"rr..",  //
-                                           "rr..",  //
-                                           "rr.."}));
+  const Cells cells = build_cells(ascii_picture({"rr..",  //
+                                                 "rr..",  //
+                                                 "rr.."}));
   EXPECT_EQ(cells.corner(2, 1).visible_edges(), kN | kS);
   EXPECT_FALSE(cells.corner(2, 1).is_cut());
   EXPECT_EQ(cells.corner(2, 1).partner(kNorth), kSouth);
@@ -108,9 +108,9 @@ TEST(CellGraph, StraightEdgesAreNotCut) {
 }
 
 TEST(CellGraph, ContoursEndAtTheBorder) {
-  const Cells cells = build(ascii_picture({"r.",  //
-                                           "r.",  //
-                                           "gg"}));
+  const Cells cells = build_cells(ascii_picture({"r.",  //
+                                                 "r.",  //
+                                                 "gg"}));
   EXPECT_EQ(cells.corner(1, 0).visible_edges(), kS);
   EXPECT_TRUE(cells.corner(1, 0).ends(kSouth));
   EXPECT_EQ(cells.corner(0, 2).visible_edges(), kE);
@@ -124,7 +124,7 @@ TEST(CellGraph, SharpContoursGoThroughAndTheShadingEnds) {
   for (const Symmetry& symmetry : kSymmetries) {
     const Picture picture = symmetry(ascii_picture({"r5",  //
                                                     "r4"}));
-    const CornerCode code = build(picture).corner(1, 1);
+    const CornerCode code = build_cells(picture).corner(1, 1);
     EXPECT_EQ(std::popcount(static_cast<unsigned>(code.visible_edges())), 3);
     int endings = 0;
     for (const Direction d : kDirections) {
@@ -146,7 +146,7 @@ TEST(CellGraph, ShadingThatTurnsLetsTheSharpPairTurn) {
                                          "44"});
   for (const Symmetry& symmetry : kSymmetries) {
     const glm::ivec2 size(2, 2);
-    const CornerCode code = build(symmetry(picture)).corner(1, 1);
+    const CornerCode code = build_cells(symmetry(picture)).corner(1, 1);
     // The shading edge is that between pixels (0, 0) and (0, 1); it leaves the centre to their side.
     const glm::ivec2 to = symmetry({0, 1}, size) - symmetry({1, 1}, size);
     for (const Direction d : kDirections) EXPECT_EQ(code.ends(d), kStep[d] == to);
@@ -158,17 +158,17 @@ TEST(CellGraph, OtherwiseOppositeEdgesPair) {
                                                          "66"},
                            std::vector<std::string_view>{"rg",  //
                                                          "bb"}}) {
-    const CornerCode code = build(ascii_picture(rows)).corner(1, 1);
+    const CornerCode code = build_cells(ascii_picture(rows)).corner(1, 1);
     EXPECT_EQ(code.visible_edges(), kN | kE | kW);
     EXPECT_TRUE(code.ends(kNorth));
     EXPECT_EQ(code.partner(kEast), kWest);
-    EXPECT_EQ(build(Symmetry{false, 1}(ascii_picture(rows))).corner(1, 1).partner(kNorth), kSouth);
+    EXPECT_EQ(build_cells(Symmetry{false, 1}(ascii_picture(rows))).corner(1, 1).partner(kNorth), kSouth);
   }
 }
 
 TEST(CellGraph, JunctionsOfFourPairOppositeEdges) {
-  const CornerCode code = build(ascii_picture({"rg",  //
-                                               "by"}))
+  const CornerCode code = build_cells(ascii_picture({"rg",  //
+                                                     "by"}))
                               .corner(1, 1);
   EXPECT_EQ(code.visible_edges(), 15);
   EXPECT_FALSE(code.is_cut());
@@ -176,9 +176,9 @@ TEST(CellGraph, JunctionsOfFourPairOppositeEdges) {
 }
 
 TEST(CellGraph, MergedCellsAreOneRegionOfTheMajorityColour) {
-  const Cells cells = build(ascii_picture({"554",  //
-                                           "rrr"}),
-                            Similarity::merge);
+  const Cells cells = build_cells(ascii_picture({"554",  //
+                                                 "rrr"}),
+                                  Similarity::merge);
   EXPECT_EQ(cells.corner(2, 1).visible_edges(), kE | kW);
   for (int x = 0; x < 3; ++x)
     EXPECT_EQ(cells.cells.colours[cells.cells.lattice.pixel(x, 0)], palette_colour('5'));
@@ -188,7 +188,7 @@ TEST(CellGraph, MergedCellsAreOneRegionOfTheMajorityColour) {
 /// is.
 RC_GTEST_PROP(CellGraph, EdgesAreVisibleWhereCellsDiffer, (Picture picture)) {
   const bool merge = *rc::gen::arbitrary<bool>();
-  const Cells cells = build(picture, merge ? Similarity::merge : Similarity::exact);
+  const Cells cells = build_cells(picture, merge ? Similarity::merge : Similarity::exact);
   const Lattice& lattice = cells.cells.lattice;
   const auto differ = [&](int x0, int y0, int x1, int y1) {
     if (!picture.contains(x0, y0) || !picture.contains(x1, y1)) return false;  // the border is no contour
@@ -207,7 +207,7 @@ RC_GTEST_PROP(CellGraph, EdgesAreVisibleWhereCellsDiffer, (Picture picture)) {
 
 RC_GTEST_PROP(CellGraph, AtMostOneContourEndsInsideAndOnlyAtThreeWayCorners, (const Picture& picture)) {
   const bool merge = *rc::gen::arbitrary<bool>();
-  const Cells cells = build(picture, merge ? Similarity::merge : Similarity::exact);
+  const Cells cells = build_cells(picture, merge ? Similarity::merge : Similarity::exact);
   for (int y = 1; y < picture.height; ++y) {
     for (int x = 1; x < picture.width; ++x) {
       const CornerCode code = cells.corner(x, y);
@@ -225,7 +225,7 @@ RC_GTEST_PROP(CellGraph, AtMostOneContourEndsInsideAndOnlyAtThreeWayCorners, (co
 RC_GTEST_PROP(CellGraph, BuffersOfAnotherFrameLeaveNoTrace, (const Picture& first)) {
   Picture second(first.width, first.height, palette_colour('b'));
   paste(second, *random_picture(), 0, 0);
-  Cells reused = build(first), fresh = build(second);
+  Cells reused = build_cells(first), fresh = build_cells(second);
   build_cell_graph(fresh.graph, nullptr, reused.cells);
   for (std::size_t i = 0; i < fresh.cells.corners.size(); ++i) {
     RC_ASSERT(reused.cells.corners[i].bits() == fresh.cells.corners[i].bits());

@@ -14,7 +14,7 @@
 namespace depixel::test {
 namespace {
 
-/// Corners of a contour in order, as points of the lattice.
+/// CornerList of a contour in order, as points of the lattice.
 std::vector<std::pair<int, int>> corners_of(const Vectorizer& v, const Contour& contour) {
   std::vector<std::pair<int, int>> list;
   for (int k = contour.first; k < contour.first + contour.count; ++k) {
@@ -24,7 +24,7 @@ std::vector<std::pair<int, int>> corners_of(const Vectorizer& v, const Contour& 
   return list;
 }
 
-using Corners = std::vector<std::pair<int, int>>;
+using CornerList = std::vector<std::pair<int, int>>;
 
 TEST(Contours, ASquareIsOneClosedContourFromItsTopLeftEastwards) {
   Vectorizer v;
@@ -40,7 +40,7 @@ TEST(Contours, ASquareIsOneClosedContourFromItsTopLeftEastwards) {
   EXPECT_EQ(contour.count, 8);
   EXPECT_EQ(contour.step_count(), 8);
   EXPECT_EQ(corners_of(v, contour),
-            (Corners{{1, 1}, {2, 1}, {3, 1}, {3, 2}, {3, 3}, {2, 3}, {1, 3}, {1, 2}}));
+            (CornerList{{1, 1}, {2, 1}, {3, 1}, {3, 2}, {3, 3}, {2, 3}, {1, 3}, {1, 2}}));
   EXPECT_EQ(v.contours().heading[contour.first], kEast);
 }
 
@@ -54,7 +54,7 @@ TEST(Contours, OpenContoursRunFromBorderToBorderFromTheFirstEnd) {
   ASSERT_EQ(v.contours().list.size(), 1u);
   const Contour& contour = v.contours().list[0];
   EXPECT_FALSE(contour.closed);
-  EXPECT_EQ(corners_of(v, contour), (Corners{{1, 0}, {1, 1}, {2, 1}, {2, 2}, {2, 3}}));
+  EXPECT_EQ(corners_of(v, contour), (CornerList{{1, 0}, {1, 1}, {2, 1}, {2, 2}, {2, 3}}));
   EXPECT_EQ(contour.step_count(), 4);
 }
 
@@ -65,8 +65,8 @@ TEST(Contours, ATJunctionEndsOnTheContourThatGoesThrough) {
                   .view(),
               {});
   ASSERT_EQ(v.contours().list.size(), 2u);
-  EXPECT_EQ(corners_of(v, v.contours().list[0]), (Corners{{1, 0}, {1, 1}}));
-  EXPECT_EQ(corners_of(v, v.contours().list[1]), (Corners{{0, 1}, {1, 1}, {2, 1}}));
+  EXPECT_EQ(corners_of(v, v.contours().list[0]), (CornerList{{1, 0}, {1, 1}}));
+  EXPECT_EQ(corners_of(v, v.contours().list[1]), (CornerList{{0, 1}, {1, 1}, {2, 1}}));
 }
 
 TEST(Contours, AJunctionOfFourIsPassedByTwoContours) {
@@ -76,8 +76,8 @@ TEST(Contours, AJunctionOfFourIsPassedByTwoContours) {
                   .view(),
               {});
   ASSERT_EQ(v.contours().list.size(), 2u);
-  EXPECT_EQ(corners_of(v, v.contours().list[0]), (Corners{{1, 0}, {1, 1}, {1, 2}}));
-  EXPECT_EQ(corners_of(v, v.contours().list[1]), (Corners{{0, 1}, {1, 1}, {2, 1}}));
+  EXPECT_EQ(corners_of(v, v.contours().list[0]), (CornerList{{1, 0}, {1, 1}, {1, 2}}));
+  EXPECT_EQ(corners_of(v, v.contours().list[1]), (CornerList{{0, 1}, {1, 1}, {2, 1}}));
 }
 
 TEST(Contours, ACutCornerIsPassedTwiceByAContourThatTurns) {
@@ -91,7 +91,7 @@ TEST(Contours, ACutCornerIsPassedTwiceByAContourThatTurns) {
               {});
   ASSERT_EQ(v.contours().list.size(), 1u);
   EXPECT_EQ(corners_of(v, v.contours().list[0]),
-            (Corners{{1, 1}, {2, 1}, {2, 2}, {3, 2}, {3, 3}, {2, 3}, {2, 2}, {1, 2}}));
+            (CornerList{{1, 1}, {2, 1}, {2, 2}, {3, 2}, {3, 3}, {2, 3}, {2, 2}, {1, 2}}));
 }
 
 TEST(Contours, UniformFramesHaveNone) {
@@ -148,7 +148,7 @@ RC_GTEST_PROP(Contours, AreMaximalAndStartCanonically, (const Picture& picture))
   for (const Contour& contour : v.contours().list) {
     RC_ASSERT(contour.first == entries);
     entries += contour.count;
-    const Corners corners = corners_of(v, contour);
+    const CornerList corners = corners_of(v, contour);
     RC_ASSERT(contour.count >= (contour.closed ? 4 : 2));
     if (contour.closed) {
       closed_seen = true;

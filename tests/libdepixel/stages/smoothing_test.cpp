@@ -12,8 +12,8 @@
 namespace depixel::test {
 namespace {
 
-std::vector<ReadCurve> curves_of(const Picture& picture, Smoothing smoothing,
-                                 SplineKind spline = SplineKind::approximate) {
+std::vector<ReadCurve> smoothed_curves(const Picture& picture, Smoothing smoothing,
+                                       SplineKind spline = SplineKind::approximate) {
   Options options;
   options.smoothing = smoothing;
   options.spline = spline;
@@ -72,7 +72,7 @@ double bending(const ReadCurve& curve) {
 
 TEST(Smoothing, NoneLeavesNodesWhereTheCellGraphHasThem) {
   for (const Picture& picture : {diamond(5), disc(9), slope()}) {
-    for (const ReadCurve& curve : curves_of(picture, Smoothing::none)) {
+    for (const ReadCurve& curve : smoothed_curves(picture, Smoothing::none)) {
       for (std::size_t k = 0; k < curve.nodes.size(); ++k) {
         EXPECT_LE(glm::distance(curve.controls[k], curve.nodes[k]), kReadBackTolerance) << k;
       }
@@ -88,7 +88,7 @@ TEST(Smoothing, StraightLinesStayWhereTheyAre) {
                                          "rrr...",  //
                                          "rrr..."});
   for (const Smoothing smoothing : {Smoothing::energy, Smoothing::average, Smoothing::none}) {
-    for (const ReadCurve& curve : curves_of(picture, smoothing)) {
+    for (const ReadCurve& curve : smoothed_curves(picture, smoothing)) {
       for (const glm::dvec2 knot : curve.knots) EXPECT_EQ(knot.x, 3);
     }
   }
@@ -96,9 +96,9 @@ TEST(Smoothing, StraightLinesStayWhereTheyAre) {
 
 TEST(Smoothing, StaircasesBendLess) {
   for (const Picture& picture : {disc(8), disc(13), disc(20), slope()}) {
-    const auto none = curves_of(picture, Smoothing::none);
+    const auto none = smoothed_curves(picture, Smoothing::none);
     for (const Smoothing smoothing : {Smoothing::energy, Smoothing::average}) {
-      const auto smoothed = curves_of(picture, smoothing);
+      const auto smoothed = smoothed_curves(picture, smoothing);
       ASSERT_EQ(smoothed.size(), 1u);
       EXPECT_LT(bending(smoothed[0]), 0.6 * bending(none[0]));
     }
@@ -126,7 +126,7 @@ TEST(Smoothing, OpenContoursForgetTheContoursBefore) {
 TEST(Smoothing, ASlopeBecomesAStraightLine) {
   // Away from the ends, the curve keeps within a tenth of a pixel of the line through the middles of the
   // steps.
-  const auto curves = curves_of(slope(), Smoothing::energy);
+  const auto curves = smoothed_curves(slope(), Smoothing::energy);
   ASSERT_EQ(curves.size(), 1u);
   for (const glm::dvec2 knot : curves[0].knots) {
     if (knot.x < 6 || knot.x > 24) continue;
@@ -137,7 +137,7 @@ TEST(Smoothing, ASlopeBecomesAStraightLine) {
 TEST(Smoothing, LeastBendingRestoresTheCornersOfASquare) {
   Picture picture(12, 12, palette_colour('.'));
   paste(picture, Picture(6, 6, palette_colour('#')), 3, 3);
-  const auto curves = curves_of(picture, Smoothing::energy);
+  const auto curves = smoothed_curves(picture, Smoothing::energy);
   ASSERT_EQ(curves.size(), 1u);
   for (const glm::dvec2 corner : {glm::dvec2(3, 3), glm::dvec2(9, 3), glm::dvec2(9, 9), glm::dvec2(3, 9)}) {
     const auto& knots = curves[0].knots;
@@ -147,8 +147,8 @@ TEST(Smoothing, LeastBendingRestoresTheCornersOfASquare) {
 
 TEST(Smoothing, AveragingIsTheThesissFormula) {
   // No right angle here has two arms of two steps or more: every control point is averaged in every round.
-  const auto none = curves_of(diamond(7), Smoothing::none),
-             averaged = curves_of(diamond(7), Smoothing::average);
+  const auto none = smoothed_curves(diamond(7), Smoothing::none),
+             averaged = smoothed_curves(diamond(7), Smoothing::average);
   ASSERT_EQ(averaged.size(), 1u);
   std::vector<glm::dvec2> expected = none[0].nodes;
   const std::size_t n = expected.size();
@@ -169,7 +169,8 @@ TEST(Smoothing, AveragingIsTheThesissFormula) {
 TEST(Smoothing, AveragingKeepsTheCornersOfASquare) {
   Picture picture(12, 12, palette_colour('.'));
   paste(picture, Picture(6, 6, palette_colour('#')), 3, 3);
-  const auto none = curves_of(picture, Smoothing::none), averaged = curves_of(picture, Smoothing::average);
+  const auto none = smoothed_curves(picture, Smoothing::none),
+             averaged = smoothed_curves(picture, Smoothing::average);
   ASSERT_EQ(averaged.size(), 1u);
   for (std::size_t k = 0; k < none[0].nodes.size(); ++k) {
     const glm::dvec2 node = none[0].nodes[k];

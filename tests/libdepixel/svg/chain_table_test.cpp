@@ -11,10 +11,10 @@
 namespace depixel::test {
 namespace {
 
-constexpr SvgGrid kGrid = SvgGrid::within(kSvgTolerance);
+constexpr SvgGrid kTableGrid = SvgGrid::within(kSvgTolerance);
 
-std::vector<Cubic> simplified(const Chain& chain) {
-  ChainTable table(kSvgTolerance, kGrid);
+std::vector<Cubic> simplified_by_table(const Chain& chain) {
+  ChainTable table(kSvgTolerance, kTableGrid);
   std::vector<Cubic> curves;
   table.simplify(chain, curves);
   return curves;
@@ -31,22 +31,23 @@ std::vector<std::int64_t> chords(const std::vector<Cubic>& curves) {
   return squares;
 }
 
-/// Where a chain is symmetric itself, but not what it is simplified to, the curves may be the mirrored ones.
+/// Where a chain is symmetric itself, but not what it is simplified_by_table to, the curves may be the
+/// mirrored ones.
 RC_GTEST_PROP(ChainTable, ChainsAreSimplifiedAlikeHoweverTheyLie, ()) {
   const Chain chain = random_chain();
   Chain other;
   apply_pose(random_pose(), chain, other);
-  RC_ASSERT(chords(simplified(other)) == chords(simplified(chain)));
+  RC_ASSERT(chords(simplified_by_table(other)) == chords(simplified_by_table(chain)));
 }
 
 RC_GTEST_PROP(ChainTable, RemembersWhatItWouldFind, ()) {
-  ChainTable table(kSvgTolerance, kGrid);
+  ChainTable table(kSvgTolerance, kTableGrid);
   for (int i = 0; i < 5; ++i) {
     const Chain chain = random_chain();
     std::vector<Cubic> first, second;
     table.simplify(chain, first);
     table.simplify(chain, second);
-    RC_ASSERT(first == simplified(chain));
+    RC_ASSERT(first == simplified_by_table(chain));
     RC_ASSERT(second == first);
   }
 }

@@ -11,7 +11,7 @@ namespace depixel::test {
 namespace {
 
 constexpr double kTolerance = 0.04;
-constexpr SvgGrid kGrid = SvgGrid::within(kTolerance);
+constexpr SvgGrid kFitGrid = SvgGrid::within(kTolerance);
 
 /// A point in hundredths of a pixel.
 glm::ivec2 hundredths(double x, double y) {
@@ -23,7 +23,7 @@ glm::ivec2 hundredths(double x, double y) {
 struct Fitting {
   std::vector<Cubic> chain;
   std::vector<char> is_free;
-  CurveFitter fitter{kTolerance, kGrid};
+  CurveFitter fitter{kTolerance, kFitGrid};
 
   explicit Fitting(std::vector<Cubic> curves) : chain(std::move(curves)), is_free(chain.size() + 1, 0) {
     fitter.set_chain(chain, is_free);

@@ -15,19 +15,19 @@
 namespace depixel::test {
 namespace {
 
-constexpr SvgGrid kGrid = SvgGrid::within(kSvgTolerance);
+constexpr SvgGrid kOutlineGrid = SvgGrid::within(kSvgTolerance);
 
-struct Traced {
+struct Simplified {
   Outlines exact, simplified;
 
-  explicit Traced(const Picture& picture, const Options& options = {}) {
+  explicit Simplified(const Picture& picture, const Options& options = {}) {
     Vectorizer vectorizer;
     Components components;
     const PlanarMap& map = vectorizer.vectorize(picture.view(), options);
     label_components(vectorizer.graph(), components);
     trace_outlines(map, vectorizer.graph(), components, exact);
     simplified = exact;
-    simplify_outlines(map, kSvgTolerance, kGrid, simplified);
+    simplify_outlines(map, kSvgTolerance, kOutlineGrid, simplified);
   }
 };
 
@@ -130,17 +130,17 @@ std::vector<Polygon> all_points(const Outlines& outlines) {
 }
 
 RC_GTEST_PROP(SimplifyOutlines, BothSidesShareTheirCurves, (const Picture& picture)) {
-  const Outlines outlines = Traced(picture, *random_options()).simplified;
+  const Outlines outlines = Simplified(picture, *random_options()).simplified;
   RC_ASSERT(curves(outlines, false) == curves(outlines, true));
 }
 
 RC_GTEST_PROP(SimplifyOutlines, PointsLieOnTheGrid, (const Picture& picture)) {
-  const Outlines outlines = Traced(picture, *random_options()).simplified;
-  for (const OutlinePiece& piece : outlines.pieces) RC_ASSERT(kGrid.snapped(piece.p3) == piece.p3);
+  const Outlines outlines = Simplified(picture, *random_options()).simplified;
+  for (const OutlinePiece& piece : outlines.pieces) RC_ASSERT(kOutlineGrid.snapped(piece.p3) == piece.p3);
 }
 
 RC_GTEST_PROP(SimplifyOutlines, StrayNoFurtherThanAllowed, ()) {
-  const Traced traced(*random_picture({.max_size = 12}), *random_options());
+  const Simplified traced(*random_picture({.max_size = 12}), *random_options());
   constexpr double kFlattening = 0.003;
   for (std::size_t i = 0; i < traced.exact.loops.size(); ++i) {
     const Polygon exact = points(traced.exact, traced.exact.loops[i]);
@@ -151,7 +151,7 @@ RC_GTEST_PROP(SimplifyOutlines, StrayNoFurtherThanAllowed, ()) {
 }
 
 RC_GTEST_PROP(SimplifyOutlines, CurvesAreNoMore, (const Picture& picture)) {
-  const Traced traced(picture, *random_options());
+  const Simplified traced(picture, *random_options());
   for (std::size_t i = 0; i < traced.exact.loops.size(); ++i) {
     RC_ASSERT(traced.simplified.loops[i].count <= traced.exact.loops[i].count);
   }
@@ -163,7 +163,7 @@ TEST(SimplifyOutlines, SidesOfThinLinesDoNotCross) {
       ascii_picture({"#........#.......", ".#......#..####..", "..#....#..#....#.", "...#..#..#......#",
                      "....##...#......#", "##..##...#......#", "..##..##..#....#.", "........#..####..",
                      "###........#.....", "...###....#.#....", "......###.......#"});
-  const Traced traced(thin);
+  const Simplified traced(thin);
   EXPECT_EQ(count_crossings(all_points(traced.exact)), 0);
   EXPECT_EQ(count_crossings(all_points(traced.simplified)), 0);
 }
@@ -178,7 +178,7 @@ TEST(SimplifyOutlines, SmoothShapesTakeFewCurves) {
       disc.at(x, y) = dx * dx + dy * dy < 169 ? Rgba{100, 100, 100, 255} : Rgba{120, 120, 120, 255};
     }
   }
-  const Traced traced(disc);
+  const Simplified traced(disc);
   EXPECT_GT(traced.exact.loops.back().count, 80);
   EXPECT_LE(traced.simplified.loops.back().count, 12);
 }

@@ -11,7 +11,7 @@
 namespace depixel::test {
 namespace {
 
-constexpr int kScale = 8;
+constexpr int kShadedAt = 8;
 
 /// A picture with shaded regions, as the rasteriser draws it, and as SVG.
 struct Shaded {
@@ -24,7 +24,7 @@ struct Shaded {
     const Picture picture = load_picture(data_folder() / "sprites" / file);
     Vectorizer vectorizer;
     const PlanarMap& map = vectorizer.vectorize(picture.view(), options);
-    raster = Picture(picture.width * kScale, picture.height * kScale);
+    raster = Picture(picture.width * kShadedAt, picture.height * kShadedAt);
     CpuRaster().draw(map, View::fit(map.lattice, raster.width, raster.height), false, 1, raster.target());
     raster = premultiplied(raster);
     svg = write_svg(map, vectorizer.graph());

@@ -20,7 +20,7 @@
 namespace depixel::test {
 namespace {
 
-constexpr int kScale = 8;
+constexpr int kDrawnAt = 8;
 
 struct Written {
   Vectorizer vectorizer;
@@ -37,7 +37,7 @@ struct Written {
 
   Picture raster() const {
     const Lattice& lattice = vectorizer.map().lattice;
-    Picture picture(lattice.width() * kScale, lattice.height() * kScale);
+    Picture picture(lattice.width() * kDrawnAt, lattice.height() * kDrawnAt);
     CpuRaster().draw(vectorizer.map(), View::fit(lattice, picture.width, picture.height), false, 1,
                      picture.target());
     return picture;
@@ -138,7 +138,7 @@ TEST(SvgWriter, ToleranceMakesFilesSmallerAndPicturesNoWorse) {
   const Picture picture = load_picture(data_folder() / "frames" / "alex4_0036.png");
   const Written exact(picture, {}, 0), simplified(picture);
   EXPECT_LT(double(simplified.svg.size()), kMostBytes * double(exact.svg.size()));
-  const int width = picture.width * kScale, height = picture.height * kScale;
+  const int width = picture.width * kDrawnAt, height = picture.height * kDrawnAt;
   const Picture expected = draw_with_rsvg(exact.svg, width, height);
   EXPECT_LT(compare(expected, draw_with_rsvg(simplified.svg, width, height)).mean, kMostDifference);
 }
@@ -213,7 +213,7 @@ RC_GTEST_PROP(SvgWriter, PixelCentresHaveTheirColour, ()) {
 /// True in the source pixels round one that is neither opaque nor transparent, where alpha may be rounded up
 /// to opaque, and beside output pixels that are not covered wholly: curves may stray half a pixel from there.
 bool may_be_seen_through(const Picture& picture, const Picture& raster, int x, int y) {
-  const int u = x / kScale, v = y / kScale;
+  const int u = x / kDrawnAt, v = y / kDrawnAt;
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1; ++dx) {
       if (raster.contains(x + dx, y + dy) && raster.at(x + dx, y + dy).a != 255) return true;
@@ -224,7 +224,7 @@ bool may_be_seen_through(const Picture& picture, const Picture& raster, int x, i
   }
   return false;
 }
-static_assert(kScale * kSvgTolerance <= 0.5);
+static_assert(kDrawnAt * kSvgTolerance <= 0.5);
 
 /// Empty if rsvg-convert's picture is what the rasteriser's is, else what differs.
 std::string rsvg_mismatch(const Picture& picture, const Options& options, double mean_tolerance = 2.0,
