@@ -7,7 +7,7 @@ packages=(
   libglm-dev libexpected-dev libfmt-dev libcli11-dev           # everywhere; the command line
   libstb-dev libturbojpeg0-dev libgif-dev zlib1g-dev           # reading and writing pictures
   python3-glad libgl-dev libegl-dev libosmesa6-dev             # drawing by OpenGL
-  libegl1 libgl1-mesa-dri libglx-mesa0                         # ... also without a graphics card
+  libegl1 libosmesa6 libgl1-mesa-dri libglx-mesa0              # ... also without a graphics card
   libglfw3-dev libimgui-dev                                    # the player
   xvfb xauth xdotool imagemagick                               # its tests
   retroarch retroarch-dev libretro-core-info                   # the plug-in's, in the real thing

@@ -32,13 +32,13 @@ void dithers(benchmark::State& state, const Subject& subject) {
 void similarity(benchmark::State& state, const Subject& subject) {
   SimilarityGraph graph;
   while (state.KeepRunning())
-    build_similarity_graph(subject.picture.view(), kOptions.similarity, false, graph);
+    build_similarity_graph(subject.picture.view(), LinkCriteria::of(kOptions), graph);
 }
 
 void crossings(benchmark::State& state, const Subject& subject) {
   SimilarityGraph frozen, graph;
   CrossingScratch scratch;
-  build_similarity_graph(subject.picture.view(), kOptions.similarity, false, frozen);
+  build_similarity_graph(subject.picture.view(), LinkCriteria::of(kOptions), frozen);
   while (state.KeepRunning()) {
     state.PauseTiming();
     graph = frozen;

@@ -1,32 +1,26 @@
 #include "filter/headless/egl_library.hpp"
 
-#include <dlfcn.h>
-
 #include <optional>
+
+#include "filter/headless/shared_library.hpp"
 
 namespace depixel {
 namespace {
 
 std::optional<EglLibrary> load() {
-  void* handle = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-  if (handle == nullptr) return std::nullopt;
-  bool has_all = true;
-  const auto find = [&]<typename Function>(Function& function, const char* name) {
-    function = reinterpret_cast<Function>(dlsym(handle, name));
-    has_all = has_all && function != nullptr;
-  };
+  SharedLibrary file("libEGL.so.1");
   EglLibrary library{};
-  find(library.get_proc_address, "eglGetProcAddress");
-  find(library.query_string, "eglQueryString");
-  find(library.initialize, "eglInitialize");
-  find(library.bind_api, "eglBindAPI");
-  find(library.choose_config, "eglChooseConfig");
-  find(library.create_context, "eglCreateContext");
-  find(library.destroy_context, "eglDestroyContext");
-  find(library.make_current, "eglMakeCurrent");
-  find(library.get_current_context, "eglGetCurrentContext");
-  find(library.release_thread, "eglReleaseThread");
-  return has_all ? std::optional(library) : std::nullopt;
+  file.find(library.get_proc_address, "eglGetProcAddress");
+  file.find(library.query_string, "eglQueryString");
+  file.find(library.initialize, "eglInitialize");
+  file.find(library.bind_api, "eglBindAPI");
+  file.find(library.choose_config, "eglChooseConfig");
+  file.find(library.create_context, "eglCreateContext");
+  file.find(library.destroy_context, "eglDestroyContext");
+  file.find(library.make_current, "eglMakeCurrent");
+  file.find(library.get_current_context, "eglGetCurrentContext");
+  file.find(library.release_thread, "eglReleaseThread");
+  return file.has_all() ? std::optional(library) : std::nullopt;
 }
 
 }  // namespace

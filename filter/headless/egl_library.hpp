@@ -5,8 +5,7 @@
 
 namespace depixel {
 
-/// EGL's functions, from the library that the machine has. It is not linked, so that programs and plug-ins
-/// start where there is none.
+/// EGL's functions, from the library that the machine has.
 struct EglLibrary {
   PFNEGLGETPROCADDRESSPROC get_proc_address;
   PFNEGLQUERYSTRINGPROC query_string;
@@ -19,7 +18,7 @@ struct EglLibrary {
   PFNEGLGETCURRENTCONTEXTPROC get_current_context;
   PFNEGLRELEASETHREADPROC release_thread;
 
-  /// nullptr where there is none. Once loaded it stays so: threads of its drivers may outlive all contexts.
+  /// nullptr where there is none.
   static const EglLibrary* get();
 };
 

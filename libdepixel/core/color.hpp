@@ -32,12 +32,13 @@ constexpr YuvDifference yuv_difference(Rgba p, Rgba q) {
   return {299 * r + 587 * g + 114 * b, -169 * r - 331 * g + 500 * b, 500 * r - 419 * g - 81 * b};
 }
 
-/// The hqx criterion for merging: at most 48 apart in Y, 7 in U and 6 in V; alpha must be equal.
-constexpr bool similar_yuv(Rgba p, Rgba q) {
-  constexpr int kMaxY = 48'000, kMaxU = 7'000, kMaxV = 6'000;
+/// The criterion for merging: at most so many 1/1000 of a level apart in Y, 7 levels in U and 6 in V; alpha
+/// must be equal. With 48 levels of Y it is that of hqx.
+constexpr bool similar_yuv(Rgba p, Rgba q, int max_y) {
+  constexpr int kMaxU = 7'000, kMaxV = 6'000;
   const auto magnitude = [](int v) { return v < 0 ? -v : v; };
   const YuvDifference d = yuv_difference(p, q);
-  return p.a == q.a && magnitude(d.y) <= kMaxY && magnitude(d.u) <= kMaxU && magnitude(d.v) <= kMaxV;
+  return p.a == q.a && magnitude(d.y) <= max_y && magnitude(d.u) <= kMaxU && magnitude(d.v) <= kMaxV;
 }
 
 /// Whether the Euclidean YUV distance of two colours is at most so many 1/1000 of a level.

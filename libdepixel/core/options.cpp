@@ -22,15 +22,18 @@ ChoiceOption choice(std::span<const std::string_view> names) {
 }
 
 constexpr double kMaxWeight = 1000.0;
+constexpr double kMaxLuma = 255.0;
 constexpr double kMaxDistance = 100.0;
 constexpr int kMaxThreads = 256;
 
 }  // namespace
 
 std::span<const OptionInfo> option_table() {
-  static const std::array<OptionInfo, 16> kTable{{
+  static const std::array<OptionInfo, 17> kTable{{
       {"similarity", "Pixels belong together when their colours are equal (exact) or alike (merge)",
        choice<&Options::similarity>(kSimilarityNames)},
+      {"merge-luma", "Levels of brightness (0 to 255) that pixels may differ by and still be alike",
+       NumberOption{&Options::merge_luma, 0.0, kMaxLuma}},
       {"connect-lines", "Join lines of similar colour across diagonals",
        SwitchOption{&Options::connect_lines}},
       {"dither", "Areas that are checkerboards of two colours are kept, or become the colour between (blend)",

@@ -49,7 +49,7 @@ void IncrementalGraph::update(const FrameView& frame, const Options& options, co
     stale_.reset(blocks.grid());
     stale_.add_all();
     stale_.find_runs();
-    build_similarity_graph(frame, options.similarity, options.connect_lines, graph_);
+    build_similarity_graph(frame, LinkCriteria::of(options), graph_);
     resolved_crossings_ = resolve_crossings(graph_, votes, crossings_);
     return;
   }

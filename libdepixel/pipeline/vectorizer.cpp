@@ -22,7 +22,7 @@ void Vectorizer::vectorize_by_edge(const FrameView& input, const Options& option
   const bool blends = options.dither == DitherKind::blend;
   if (blends) blend_dithers(input, options.linear_light, dithers_);
   const FrameView frame = border_.continued(blends ? dithers_.view() : input, options.border);
-  build_similarity_graph(frame, options.similarity, options.connect_lines, graph_);
+  build_similarity_graph(frame, LinkCriteria::of(options), graph_);
   clock.finish(0);
 
   const CrossingVotes votes = CrossingVotes::of(options);

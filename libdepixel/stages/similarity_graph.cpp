@@ -36,12 +36,12 @@ void link_exact_row(const Rgba* row, int stride, int count, std::uint8_t* links)
   }
 }
 
-void link_similar_row(const Rgba* row, int stride, int count, std::uint8_t* links) {
+void link_similar_row(const Rgba* row, int stride, int count, int max_y, std::uint8_t* links) {
+  const auto similar = [max_y](Rgba p, Rgba q) { return similar_yuv(p, q, max_y); };
   for (int x = 0; x < count; ++x) {
     const Rgba nw = row[x], ne = row[x + 1], sw = row[x + stride], se = row[x + stride + 1];
-    links[x] =
-        static_cast<std::uint8_t>(kNorthSide * similar_yuv(nw, ne) | kWestSide * similar_yuv(nw, sw) |
-                                  kMainDiagonal * similar_yuv(nw, se) | kAntiDiagonal * similar_yuv(ne, sw));
+    links[x] = static_cast<std::uint8_t>(kNorthSide * similar(nw, ne) | kWestSide * similar(nw, sw) |
+                                         kMainDiagonal * similar(nw, se) | kAntiDiagonal * similar(ne, sw));
   }
 }
 
@@ -164,20 +164,27 @@ void link_exactly(const SimilarityGraph& graph, int y, int from, int to, std::ve
   link_part(graph, y, from, to, link_exact_row<true>, links);
 }
 
-void build_raw_similarity_graph(const FrameView& frame, Similarity similarity, SimilarityGraph& graph) {
+void build_raw_similarity_graph(const FrameView& frame, const LinkCriteria& criteria,
+                                SimilarityGraph& graph) {
   load_frame(frame, graph);
-  link_all(graph, similarity == Similarity::exact ? link_exact_row<false> : link_similar_row, graph.links);
+  if (criteria.similarity == Similarity::exact) {
+    link_all(graph, link_exact_row<false>, graph.links);
+  } else {
+    const auto link_row = [&](const Rgba* row, int stride, int count, std::uint8_t* links) {
+      link_similar_row(row, stride, count, criteria.merge_luma, links);
+    };
+    link_all(graph, link_row, graph.links);
+  }
 }
 
-void build_similarity_graph(const FrameView& frame, Similarity similarity, bool connect_lines,
-                            SimilarityGraph& graph) {
-  if (similarity == Similarity::exact && !connect_lines) {
+void build_similarity_graph(const FrameView& frame, const LinkCriteria& criteria, SimilarityGraph& graph) {
+  if (criteria.similarity == Similarity::exact && !criteria.connect_lines) {
     load_frame(frame, graph);
     link_all(graph, link_exact_row<true>, graph.links);
     return;
   }
-  build_raw_similarity_graph(frame, similarity, graph);
-  if (connect_lines) connect_line_components(graph);
+  build_raw_similarity_graph(frame, criteria, graph);
+  if (criteria.connect_lines) connect_line_components(graph);
   freeze_merged(graph);
 }
 

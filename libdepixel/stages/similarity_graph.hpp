@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -57,14 +58,25 @@ void find_neighbours(const SimilarityGraph& graph, int y, int from, int to, std:
 /// Index offsets to the eight neighbours, clockwise from north, as in SimilarityGraph::neighbours().
 std::array<int, 8> neighbour_offsets(const Lattice& lattice);
 
+/// Which neighbours are linked.
+struct LinkCriteria {
+  Similarity similarity = Similarity::exact;
+  bool connect_lines = false;
+  int merge_luma = 48'000;  ///< of similar_yuv(), 1/1000 of a level
+
+  static LinkCriteria of(const Options& options) {
+    return {options.similarity, options.connect_lines,
+            static_cast<int>(std::lround(1000 * options.merge_luma))};
+  }
+};
+
 /// Builds the similarity graph of a frame and freezes it (stage 1 of 6): links all similar neighbours, joins
 /// lines if asked to, and drops both diagonals of every block that is one piece through its sides already.
-/// \param frame    at least 1x1 pixels.
-/// \param graph    overwritten; its buffers are reused.
+/// \param frame  at least 1x1 pixels.
+/// \param graph  overwritten; its buffers are reused.
 /// Cost: linear in pixels; no allocation when the size stays (but for connect-lines).
 /// Source: Schapfel, section 4.1; Kopf and Lischinski 2011, section 3.2.
-void build_similarity_graph(const FrameView& frame, Similarity similarity, bool connect_lines,
-                            SimilarityGraph& graph);
+void build_similarity_graph(const FrameView& frame, const LinkCriteria& criteria, SimilarityGraph& graph);
 
 /// Takes over a part of row y of a frame's pixels, from .. to - 1, normalized.
 /// \param graph  of the frame's size.
@@ -79,6 +91,6 @@ FrameView pixels_of(const SimilarityGraph& graph);
 void link_exactly(const SimilarityGraph& graph, int y, int from, int to, std::vector<std::uint8_t>& links);
 
 /// The links before freezing, as view 0 of the thesis shows them.
-void build_raw_similarity_graph(const FrameView& frame, Similarity similarity, SimilarityGraph& graph);
+void build_raw_similarity_graph(const FrameView& frame, const LinkCriteria& criteria, SimilarityGraph& graph);
 
 }  // namespace depixel

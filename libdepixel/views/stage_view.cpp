@@ -121,7 +121,7 @@ class Drawer {
   /// The graph as it is before freezing. Links in a row are one stroke.
   void draw_links(const Options& options) {
     SimilarityGraph& graph = drawing_.graph;
-    build_raw_similarity_graph(pixels_of(stages_.graph()), options.similarity, graph);
+    build_raw_similarity_graph(pixels_of(stages_.graph()), LinkCriteria::of(options), graph);
     const Lattice& lattice = graph.lattice;
     const int stride = lattice.stride();
     struct LinkKind {

@@ -15,9 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kScale = 4;
+constexpr double kFrameScale = 4;
 
-std::string preset(const std::string& name) {
+std::string preset_text(const std::string& name) {
   return DEPIXEL_FILTER_FOLDER "/Depixel-" + name + ".filt";
 }
 
@@ -44,20 +44,20 @@ void expect_drawn_up_to(std::size_t count, const std::string& sequence, const st
                              std::to_string(frame.height()) + "\nshow " + file.parent_path().string() + '\n';
   const RetroArchRan ran =
       play(folder, script, scaled(frame.width(), scale), scaled(frame.height(), scale),
-           {.filter = preset(name), .frames = static_cast<int>(count), .is_threaded = is_threaded});
+           {.filter = preset_text(name), .frames = static_cast<int>(count), .is_threaded = is_threaded});
   expect_depixelled(ran, frame, scale, file.string() + ' ' + name);
 }
 
 TEST(PlugInFrames, EveryFrameOfAScrollIsAsFromScratch) {
   for (std::size_t count = 1; count <= frames_of("alex4").size(); ++count) {
-    expect_drawn_up_to(count, "alex4", "4x", kScale);
+    expect_drawn_up_to(count, "alex4", "4x", kFrameScale);
   }
 }
 
 TEST(PlugInFrames, ShippedSequencesAreAsFromScratch) {
   for (const std::string sequence : {"davegnukem", "jumpnbump"}) {
     expect_drawn_up_to(frames_of(sequence).size(), sequence, "2x", 2);
-    expect_drawn_up_to(frames_of(sequence).size(), sequence, "4x", kScale);
+    expect_drawn_up_to(frames_of(sequence).size(), sequence, "4x", kFrameScale);
   }
 }
 
@@ -65,7 +65,7 @@ TEST(PlugInFrames, OpenGlDrawsTheSameTwice) {
   const TemporaryFolder folder;
   const std::string script = "geometry 160x120\nshow " DEPIXEL_TEST_DATA "/sequences/alex4\n";
   const auto shown = [&] {
-    return play(folder, script, 640, 480, {.filter = preset("GL-4x"), .frames = 8}).screenshot;
+    return play(folder, script, 640, 480, {.filter = preset_text("GL-4x"), .frames = 8}).screenshot;
   };
   EXPECT_EQ(mismatch(shown(), shown()), "");
 }
@@ -77,8 +77,8 @@ TEST(PlugInFrames, ColoursOf16BitsAreThoseWithoutAFilter) {
   for (const auto& [name, format] :
        {std::pair("rgb565", PixelFormat::rgb565), std::pair("0rgb1555", PixelFormat::xrgb1555)}) {
     const std::string script = std::string("format ") + name + "\npadding 6\ngeometry 96x72\nshow a.png\n";
-    expect_depixelled(play(folder, script, 384, 288, {.filter = preset("4x"), .frames = 5}),
-                      in_format(picture, format), kScale, name);
+    expect_depixelled(play(folder, script, 384, 288, {.filter = preset_text("4x"), .frames = 5}),
+                      in_format(picture, format), kFrameScale, name);
   }
 }
 
@@ -86,11 +86,11 @@ TEST(PlugInFrames, IsTurnedAfterItWasDrawn) {
   const TemporaryFolder folder;
   const Picture picture = sample_picture(96, 72);
   write_text(folder / "a.png", png_of(picture));
-  Picture turned = depixelled(picture, kScale);
+  Picture turned = depixelled(picture, kFrameScale);
   for (const int degrees : {0, 90, 180, 270}) {
     const std::string script = "geometry 96x72\nrotate " + std::to_string(degrees) + "\nshow a.png\n";
     const RetroArchRan ran =
-        play(folder, script, turned.width(), turned.height(), {.filter = preset("4x"), .frames = 5});
+        play(folder, script, turned.width(), turned.height(), {.filter = preset_text("4x"), .frames = 5});
     EXPECT_EQ(mismatch(turned, ran.screenshot), "") << degrees;
     turned = turned_left(turned);
   }

@@ -16,11 +16,11 @@ std::array<double, 3> yuv(Rgba p, Rgba q) {
 
 constexpr double kRounding = 1e-9;
 
-bool similar(Rgba p, Rgba q, Similarity similarity) {
+bool similar(Rgba p, Rgba q, const Options& options) {
   if (p.a == 0 && q.a == 0) return true;
-  if (similarity == Similarity::exact) return p == q;
+  if (options.similarity == Similarity::exact) return p == q;
   const auto d = yuv(p, q);
-  return p.a == q.a && std::abs(d[0]) <= 48 + kRounding && std::abs(d[1]) <= 7 + kRounding &&
+  return p.a == q.a && std::abs(d[0]) <= options.merge_luma + kRounding && std::abs(d[1]) <= 7 + kRounding &&
          std::abs(d[2]) <= 6 + kRounding;
 }
 
@@ -31,13 +31,13 @@ bool near(Rgba p, Rgba q) {
 
 }  // namespace
 
-NaiveGraph::NaiveGraph(const Picture& picture, Similarity similarity) : picture_(picture) {
+NaiveGraph::NaiveGraph(const Picture& picture, const Options& options) : picture_(picture) {
   for (Rgba& c : picture_.pixels) c = normalized(c);
   for (int y = 0; y < picture.height; ++y) {
     for (int x = 0; x < picture.width; ++x) {
       for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {1, 1}, {-1, 1}}) {
         if (!picture.contains(x + dx, y + dy)) continue;
-        if (similar(picture.at(x, y), picture.at(x + dx, y + dy), similarity)) {
+        if (similar(picture.at(x, y), picture.at(x + dx, y + dy), options)) {
           links_.insert(link({x, y}, {x + dx, y + dy}));
         }
       }

@@ -18,7 +18,7 @@ class NaiveGraph {
   using Point = std::pair<int, int>;  ///< x, y
   using Link = std::pair<Point, Point>;
 
-  NaiveGraph(const Picture& picture, Similarity similarity);
+  NaiveGraph(const Picture& picture, const Options& options);
 
   /// Joins lines of like colour across diagonals (spec: "connect lines").
   void connect_lines();

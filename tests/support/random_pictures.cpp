@@ -127,6 +127,7 @@ rc::Gen<Options> random_lossless_options() {
 
 rc::Gen<Options> random_options() {
   return rc::gen::build<Options>(rc::gen::set(&Options::similarity, random_enum<Similarity>(2)),
+                                 rc::gen::set(&Options::merge_luma, rc::gen::element(48.0, 25.0)),
                                  rc::gen::set(&Options::connect_lines, rc::gen::arbitrary<bool>()),
                                  rc::gen::set(&Options::dither, random_enum<DitherKind>(2)),
                                  rc::gen::set(&Options::spline, random_enum<SplineKind>(3)),

@@ -36,18 +36,22 @@ TEST(Color, YuvOfPrimariesAsInTheSpecification) {
   EXPECT_EQ(blue.v, 255 * -81);
 }
 
-TEST(Color, GreysMergeUpToFortyEightApart) {
-  EXPECT_TRUE(similar_yuv(grey(100), grey(148)));
-  EXPECT_TRUE(similar_yuv(grey(148), grey(100)));
-  EXPECT_FALSE(similar_yuv(grey(100), grey(149)));
+constexpr int kHqxLuma = 48'000;
+
+TEST(Color, GreysMergeUpToABound) {
+  for (const int apart : {0, 5, 48}) {
+    EXPECT_TRUE(similar_yuv(grey(100), grey(100 + apart), 1000 * apart));
+    EXPECT_TRUE(similar_yuv(grey(100 + apart), grey(100), 1000 * apart));
+    EXPECT_FALSE(similar_yuv(grey(100), grey(101 + apart), 1000 * apart));
+  }
 }
 
 TEST(Color, ChromaBoundsAreTighterThanLuma) {
   // 14 levels of blue: 7 in U. 12 of red: 6 in V.
-  EXPECT_TRUE(similar_yuv({100, 100, 114, 255}, grey(100)));
-  EXPECT_FALSE(similar_yuv({100, 100, 115, 255}, grey(100)));
-  EXPECT_TRUE(similar_yuv({112, 100, 100, 255}, grey(100)));
-  EXPECT_FALSE(similar_yuv({113, 100, 100, 255}, grey(100)));
+  EXPECT_TRUE(similar_yuv({100, 100, 114, 255}, grey(100), kHqxLuma));
+  EXPECT_FALSE(similar_yuv({100, 100, 115, 255}, grey(100), kHqxLuma));
+  EXPECT_TRUE(similar_yuv({112, 100, 100, 255}, grey(100), kHqxLuma));
+  EXPECT_FALSE(similar_yuv({113, 100, 100, 255}, grey(100), kHqxLuma));
 }
 
 TEST(Color, ShadingDistanceIsEuclideanUpToOneHundred) {
@@ -59,7 +63,7 @@ TEST(Color, ShadingDistanceIsEuclideanUpToOneHundred) {
 }
 
 TEST(Color, UnequalAlphaIsNeitherSimilarNorNear) {
-  EXPECT_FALSE(similar_yuv({9, 9, 9, 254}, grey(9)));
+  EXPECT_FALSE(similar_yuv({9, 9, 9, 254}, grey(9), kHqxLuma));
   EXPECT_FALSE(near_yuv({9, 9, 9, 254}, grey(9)));
 }
 

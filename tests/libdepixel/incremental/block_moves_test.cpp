@@ -13,7 +13,7 @@ namespace {
 /// The graph's pixels of a picture.
 SimilarityGraph graph_of(const Picture& picture) {
   SimilarityGraph graph;
-  build_similarity_graph(picture.view(), Similarity::exact, false, graph);
+  build_similarity_graph(picture.view(), {}, graph);
   return graph;
 }
 

@@ -12,7 +12,7 @@ namespace {
 struct MarkedCells {
   MarkedCells(const Picture& picture, const Options& options) {
     CrossingScratch scratch;
-    build_similarity_graph(picture.view(), Similarity::exact, false, graph);
+    build_similarity_graph(picture.view(), {}, graph);
     resolve_crossings(graph, CrossingVotes::of(options), scratch);
     build_cell_graph(graph, nullptr, cells);
     find_pixel_marks(graph, false, marks);

@@ -12,7 +12,7 @@ namespace {
 std::pair<SimilarityGraph, int> resolved(const Picture& picture, const Options& options) {
   SimilarityGraph graph;
   CrossingScratch scratch;
-  build_similarity_graph(picture.view(), options.similarity, options.connect_lines, graph);
+  build_similarity_graph(picture.view(), LinkCriteria::of(options), graph);
   const CrossingVotes votes = CrossingVotes::of(options);
   const int crossings = resolve_crossings(graph, votes, scratch);
   return {graph, crossings};

@@ -24,7 +24,7 @@ Picture layered(glm::ivec2 upper, glm::ivec2 lower) {
 
 std::vector<glm::ivec2> guessed(MoveGuess& guess, const Picture& before, const Picture& now) {
   SimilarityGraph graph;
-  build_similarity_graph(before.view(), Similarity::exact, false, graph);
+  build_similarity_graph(before.view(), {}, graph);
   const auto moves = guess.guess(now.view(), graph);
   return {moves.begin(), moves.end()};
 }

@@ -25,7 +25,7 @@ struct HandMade {
     build_similarity_graph(ascii_picture({"##.",  //
                                           "##."})
                                .view(),
-                           Similarity::exact, false, graph);
+                           {}, graph);
     map.lattice = graph.lattice;
     map.colours = graph.pixels;
   }

@@ -20,7 +20,7 @@ constexpr std::array<CellShape, 2> kShapes{CellShape::accurate, CellShape::simpl
 
 SimilarityGraph resolved_graph(const Picture& picture) {
   SimilarityGraph graph;
-  build_similarity_graph(picture.view(), Similarity::exact, false, graph);
+  build_similarity_graph(picture.view(), {}, graph);
   CrossingScratch scratch;
   resolve_crossings(graph, {}, scratch);
   return graph;

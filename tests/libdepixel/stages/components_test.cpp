@@ -22,7 +22,7 @@ struct Labelled {
 Labelled label(const Picture& picture, Similarity similarity = Similarity::exact) {
   Labelled result;
   CrossingScratch scratch;
-  build_similarity_graph(picture.view(), similarity, false, result.graph);
+  build_similarity_graph(picture.view(), {similarity}, result.graph);
   resolve_crossings(result.graph, {}, scratch);
   label_components(result.graph, result.components);
   find_majority_colours(result.graph, result.components);
@@ -66,7 +66,7 @@ TEST(Components, MajorityColourOfATieIsTheLowest) {
 RC_GTEST_PROP(Components, EqualBreadthFirstSearch, (Picture picture)) {
   const Similarity similarity = *rc::gen::element(Similarity::exact, Similarity::merge);
   const Labelled result = label(picture, similarity);
-  NaiveGraph naive(picture, similarity);
+  NaiveGraph naive(picture, {.similarity = similarity});
   naive.freeze();
   naive.resolve({});
   const auto expected = naive.components();

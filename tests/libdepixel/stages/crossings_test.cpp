@@ -23,7 +23,7 @@ Resolved resolve(const Picture& picture, const CrossingVotes& votes = {},
                  Similarity similarity = Similarity::exact) {
   Resolved result;
   CrossingScratch scratch;
-  build_similarity_graph(picture.view(), similarity, false, result.graph);
+  build_similarity_graph(picture.view(), {similarity}, result.graph);
   result.crossings = resolve_crossings(result.graph, votes, scratch);
   return result;
 }
@@ -224,10 +224,10 @@ RC_GTEST_PROP(Crossings, EqualTheTextbook, (const Picture& picture)) {
   const CrossingVotes votes{*weight, *weight, *weight, options.curve_rule};
   SimilarityGraph graph;
   CrossingScratch scratch;
-  build_similarity_graph(picture.view(), options.similarity, options.connect_lines, graph);
+  build_similarity_graph(picture.view(), LinkCriteria::of(options), graph);
   const int crossings = resolve_crossings(graph, votes, scratch);
 
-  NaiveGraph naive(picture, options.similarity);
+  NaiveGraph naive(picture, options);
   if (options.connect_lines) naive.connect_lines();
   naive.freeze();
   RC_ASSERT(crossings == naive.resolve(votes));
@@ -265,7 +265,7 @@ TEST(Crossings, AFullCheckerboardIsResolvedLikeTheTextbook) {
     for (int x = 0; x < board.width; ++x) board.at(x, y) = palette_colour((x + y) % 2 == 0 ? '#' : '.');
   }
   const Resolved result = resolve(board);
-  NaiveGraph naive(board, Similarity::exact);
+  NaiveGraph naive(board, {});
   naive.freeze();
   EXPECT_EQ(result.crossings, naive.resolve({}));
   for (int y = 0; y + 1 < board.height; ++y) {

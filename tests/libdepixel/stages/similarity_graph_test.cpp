@@ -12,7 +12,7 @@ namespace {
 SimilarityGraph build(const Picture& picture, Similarity similarity = Similarity::exact,
                       bool connect_lines = false) {
   SimilarityGraph graph;
-  build_similarity_graph(picture.view(), similarity, connect_lines, graph);
+  build_similarity_graph(picture.view(), {similarity, connect_lines}, graph);
   return graph;
 }
 
@@ -34,7 +34,7 @@ TEST(SimilarityGraph, RawGraphKeepsTheDiagonalsOfUniformBlocks) {
   build_raw_similarity_graph(ascii_picture({"rr",  //
                                             "rr"})
                                  .view(),
-                             Similarity::exact, graph);
+                             {}, graph);
   EXPECT_EQ(links_at(graph, 0, 0), kNorthSide | kWestSide | kBothDiagonals);
 }
 
@@ -148,7 +148,7 @@ TEST(SimilarityGraph, PitchIsHonoured) {
   SimilarityGraph graph;
   FrameView view = wide.view();
   view.width = 2;
-  build_similarity_graph(view, Similarity::exact, false, graph);
+  build_similarity_graph(view, {}, graph);
   EXPECT_EQ(links_at(graph, 0, 0), kNorthSide);
   EXPECT_EQ(links_at(graph, 0, 1), kNorthSide);
 }
@@ -163,8 +163,9 @@ TEST(SimilarityGraph, NeighboursRunClockwiseFromNorth) {
 
 RC_GTEST_PROP(SimilarityGraph, EqualsTheTextbook, (const Picture& picture)) {
   const Options options = *random_options();
-  const SimilarityGraph graph = build(picture, options.similarity, options.connect_lines);
-  NaiveGraph naive(picture, options.similarity);
+  SimilarityGraph graph;
+  build_similarity_graph(picture.view(), LinkCriteria::of(options), graph);
+  NaiveGraph naive(picture, options);
   if (options.connect_lines) naive.connect_lines();
   naive.freeze();
   for (int y = 0; y < picture.height; ++y) {
@@ -181,7 +182,7 @@ RC_GTEST_PROP(SimilarityGraph, EqualsTheTextbook, (const Picture& picture)) {
 RC_GTEST_PROP(SimilarityGraph, BuffersOfAnotherFrameLeaveNoTrace,
               (const Picture& first, const Picture& second)) {
   SimilarityGraph reused = build(first, Similarity::merge, true);
-  build_similarity_graph(second.view(), Similarity::exact, false, reused);
+  build_similarity_graph(second.view(), {}, reused);
   const SimilarityGraph fresh = build(second);
   RC_ASSERT(reused.links == fresh.links);
   RC_ASSERT(reused.pixels == fresh.pixels);
