@@ -12,7 +12,8 @@ packages=(
   xvfb xauth xdotool imagemagick                               # its tests
   retroarch retroarch-dev libretro-core-info                   # the plug-in's, in the real thing
   libretro-nestopia efp libretro-gambatte libretro-mgba libretro-bsnes-mercury-balanced
-  libgtest-dev librapidcheck-dev libpugixml-dev librsvg2-bin   # tests
+  libgtest-dev librapidcheck-dev libpugixml-dev                # tests
+  librsvg2-bin chromium                                        # ... which open SVGs
   libbenchmark-dev nlohmann-json3-dev                          # benchmarks
   libavfilter-dev libavutil-dev xbrzscale                      # what they compare with
   clang-format clang-tidy                                      # checks

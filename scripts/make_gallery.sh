@@ -51,11 +51,18 @@ options() { # FRAME CROP SCALE PICTURE OPTIONS...
 scaled() { # WxH+X+Y SCALE
   awk -F '[x+]' -v s="$2" '{ printf "%dx%d+%d+%d", $1 * s, $2 * s, $3 * s, $4 * s }' <<< "$1"
 }
-options davegnukem_0052 64x64+24+92 4 shading_gnukem.png "--similarity merge" "--similarity merge --shading gradient" \
-  "--similarity merge --shading blur" "--soft-contours 20"
-options freedoom_0039 72x64+140+86 4 shading_freedoom.png "--similarity merge" "--similarity merge --shading gradient" \
-  "--similarity merge --shading blur" "--soft-contours 20"
+merging=("--similarity merge" "--similarity merge --merge-luma 48"
+  "--similarity merge --merge-luma 48 --shading gradient" "--soft-contours 20")
+options davegnukem_0052 64x64+24+92 4 shading_gnukem.png "${merging[@]}"
+options freedoom_0039 72x64+140+86 4 shading_freedoom.png "${merging[@]}"
 options alex4_0036 76x56+54+24 5 dither_alex4.png "--dither blend"
+for shape in arrow32 diamond24 triangle32; do
+  small=tests/data/truth/$shape.lr.png
+  convert "$small" -filter point -resize 800% "$work/corners_${shape}_0.png"
+  "$depixel" "$small" -o "$work/corners_${shape}_1.png" --scale 8 --quiet --corners round
+  "$depixel" "$small" -o "$work/corners_${shape}_2.png" --scale 8 --quiet
+done
+montage "$work"/corners_*.png -tile 3x -geometry +3+3 -background white -colors 256 docs/images/corners.png
 convert docs/images/text.xpm "PNG24:$work/text.png"
 convert "$work/text.png" -filter point -resize 800% "$work/text0.png"
 "$depixel" "$work/text.png" -o "$work/text1.png" --scale 8 --quiet

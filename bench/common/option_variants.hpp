@@ -21,14 +21,21 @@ struct OptionVariant {
 
 inline constexpr std::array kOptionVariants{
     OptionVariant{"merge", [](Options& o) { o.similarity = Similarity::merge; }},
-    OptionVariant{"merge, gradient",
+    OptionVariant{"merge to 48",
                   [](Options& o) {
                     o.similarity = Similarity::merge;
+                    o.merge_luma = 48;
+                  }},
+    OptionVariant{"merge to 48, gradient",
+                  [](Options& o) {
+                    o.similarity = Similarity::merge;
+                    o.merge_luma = 48;
                     o.shading = ShadingKind::gradient;
                   }},
-    OptionVariant{"merge, blur",
+    OptionVariant{"merge to 48, blur",
                   [](Options& o) {
                     o.similarity = Similarity::merge;
+                    o.merge_luma = 48;
                     o.shading = ShadingKind::blur;
                   }},
     OptionVariant{"soft contours 20", [](Options& o) { o.soft_contours = 20; }},

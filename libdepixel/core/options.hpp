@@ -19,7 +19,7 @@ enum class BorderKind { fixed, repeat, mirror };
 /// Everything that a user can choose about vectorizing and drawing. The defaults are the best-scoring ones.
 struct Options {
   Similarity similarity = Similarity::exact;
-  double merge_luma = 48.0;  ///< levels of Y that pixels may differ by and still merge
+  double merge_luma = 5.0;  ///< levels of Y that pixels may differ by and still merge
   bool connect_lines = false;
   DitherKind dither = DitherKind::keep;
   SplineKind spline = SplineKind::interpolate;

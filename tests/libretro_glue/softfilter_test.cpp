@@ -126,6 +126,8 @@ TEST(Softfilter, HasAllOptionsAsSettings) {
     return SoftfilterHost(plug_in(), all, kXrgb8888, packed.width, packed.height).filter(packed);
   };
   EXPECT_EQ(drawn({{"similarity", "merge"}}), expected(shown, 4, {.similarity = Similarity::merge}));
+  EXPECT_EQ(drawn({{"similarity", "merge"}, {"merge_luma", "48"}}),
+            expected(shown, 4, {.similarity = Similarity::merge, .merge_luma = 48}));
   EXPECT_EQ(drawn({{"connect_lines", "true"}}), expected(shown, 4, {.connect_lines = true}));
   EXPECT_EQ(drawn({{"smoothing", "none"}, {"spline", "adaptive"}}),
             expected(shown, 4, {.spline = SplineKind::adaptive, .smoothing = Smoothing::none}));

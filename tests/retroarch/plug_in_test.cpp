@@ -162,7 +162,7 @@ TEST_F(PlugIn, AllPresets) {
   shown("3x", 3, {}, 0);
   shown("6x", 6, {}, 2);
   shown("8x", 8, {}, 2);
-  shown("Smooth", 4, {.similarity = Similarity::merge}, 0);
+  shown("Smooth", 4, {.soft_contours = 20}, 0);
 }
 
 TEST_F(PlugIn, FractionalScales) {

@@ -36,8 +36,6 @@ TEST(Color, YuvOfPrimariesAsInTheSpecification) {
   EXPECT_EQ(blue.v, 255 * -81);
 }
 
-constexpr int kHqxLuma = 48'000;
-
 TEST(Color, GreysMergeUpToABound) {
   for (const int apart : {0, 5, 48}) {
     EXPECT_TRUE(similar_yuv(grey(100), grey(100 + apart), 1000 * apart));

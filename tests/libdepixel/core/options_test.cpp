@@ -101,7 +101,7 @@ TEST(Options, EveryFieldHasARow) {
     if (!(options == Options{})) ++changed;
   }
   EXPECT_EQ(changed, option_table().size());
-  EXPECT_EQ(changed, 16u);
+  EXPECT_EQ(changed, 17u);
 }
 
 }  // namespace

@@ -173,7 +173,7 @@ std::vector<RuleCase> rule_cases() {
       {"tiles_by_shading",
        ascii_picture({"455444"}),
        ascii_picture({"454444"}),
-       {.similarity = Similarity::merge, .shading = ShadingKind::gradient}},
+       {.similarity = Similarity::merge, .merge_luma = 48, .shading = ShadingKind::gradient}},
   };
 }
 

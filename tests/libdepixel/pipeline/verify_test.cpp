@@ -137,6 +137,7 @@ TEST(VerifyCentres, MergingLosesWhatItRepaints) {
   Vectorizer vectorizer;
   Options options;
   options.similarity = Similarity::merge;
+  options.merge_luma = 48;
   const PlanarMap& map = vectorizer.vectorize(ascii_picture({"555",  //
                                                              "545",  //
                                                              "555"})

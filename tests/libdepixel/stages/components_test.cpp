@@ -66,7 +66,7 @@ TEST(Components, MajorityColourOfATieIsTheLowest) {
 RC_GTEST_PROP(Components, EqualBreadthFirstSearch, (Picture picture)) {
   const Similarity similarity = *rc::gen::element(Similarity::exact, Similarity::merge);
   const Labelled result = label(picture, similarity);
-  NaiveGraph naive(picture, {.similarity = similarity});
+  NaiveGraph naive(picture, {.similarity = similarity, .merge_luma = 48});
   naive.freeze();
   naive.resolve({});
   const auto expected = naive.components();

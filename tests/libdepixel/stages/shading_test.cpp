@@ -9,7 +9,8 @@
 namespace depixel::test {
 namespace {
 
-constexpr Options kMerged{.similarity = Similarity::merge, .shading = ShadingKind::gradient};
+constexpr Options kMerged{
+    .similarity = Similarity::merge, .merge_luma = 48, .shading = ShadingKind::gradient};
 
 Shading shading_of(const Picture& picture, const Options& options) {
   Vectorizer vectorizer;
@@ -37,7 +38,8 @@ TEST(Shading, NothingLeaksAcrossSharpContours) {
 TEST(Shading, EvenRegionsHaveNone) {
   EXPECT_FALSE(shading_of(ascii_picture({"44r", "44r"}), kMerged).any);
   EXPECT_FALSE(shading_of(ascii_picture({"45", "45"}), {.shading = ShadingKind::gradient}).any);
-  EXPECT_FALSE(shading_of(ascii_picture({"45", "45"}), {.similarity = Similarity::merge}).any);
+  EXPECT_FALSE(
+      shading_of(ascii_picture({"45", "45"}), {.similarity = Similarity::merge, .merge_luma = 48}).any);
 }
 
 TEST(Shading, SoftContoursDivideWhatIsAlike) {
@@ -59,7 +61,8 @@ TEST(Shading, BeyondTheBorderLiesNothing) {
 TEST(Shading, BlurWeighsByBinomials) {
   const Lattice lattice(3, 1);
   const auto shade = [&](const Picture& picture, int x) {
-    return shading_of(picture, {.similarity = Similarity::merge, .shading = ShadingKind::blur})
+    return shading_of(picture,
+                      {.similarity = Similarity::merge, .merge_luma = 48, .shading = ShadingKind::blur})
         .shades[lattice.pixel(x, 0)];
   };
   // 120, 145, 120: 2 4 2; 4 2 at the sides.

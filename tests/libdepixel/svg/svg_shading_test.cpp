@@ -40,8 +40,8 @@ std::vector<Shaded> shaded_pictures() {
     const auto add = [&](const char* kind, const Options& options) {
       pictures.emplace_back(file, kind, options);
     };
-    add("gradient", {.similarity = Similarity::merge, .shading = ShadingKind::gradient});
-    add("blur", {.similarity = Similarity::merge, .shading = ShadingKind::blur});
+    add("gradient", {.similarity = Similarity::merge, .merge_luma = 48, .shading = ShadingKind::gradient});
+    add("blur", {.similarity = Similarity::merge, .merge_luma = 48, .shading = ShadingKind::blur});
     add("soft", {.soft_contours = 40});
   }
   return pictures;
