@@ -9,9 +9,10 @@ depixel=build/release/bin/depixel
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# One picture three ways, side by side. Transparent pixels are put on a colour first: xbr knows no alpha.
+# One picture three ways, side by side. Transparent pixels, and those of the colour that stands for them, are put on a
+# colour first: xbr knows no alpha.
 row() { # PICTURE [CROP]
-  convert "$1" ${2:+-crop "$2" +repage} -background '#5a7ba8' -alpha remove -alpha off "PNG24:$work/in.png"
+  convert "$1" ${2:+-crop "$2" +repage} -transparent '#ff00ff' -background '#5a7ba8' -alpha remove -alpha off "PNG24:$work/in.png"
   convert "$work/in.png" -filter point -resize 600% "$work/nearest.png"
   ffmpeg -loglevel error -y -i "$work/in.png" -vf 'format=bgr0,xbr=2,xbr=3' -frames:v 1 "$work/xbr.png"
   "$depixel" "$work/in.png" -o "$work/ours.png" --scale 6 --quiet
@@ -20,8 +21,10 @@ row() { # PICTURE [CROP]
 
 i=0
 for sprite in minetest_game_default_apple minetest_game_bucket_lava minetest_game_default_tool_mesesword \
-  whichwayisup_blob_standing_0 whichwayisup_brown_key_0 pixelarticons_bell; do
-  row "tests/data/sprites/$sprite.png" "" "$work/row$((i++)).png"
+  whichwayisup_blob_standing_0:24x24+0+0 whichwayisup_brown_key_0:34x14+5+26 pixelarticons_bell; do
+  crop=${sprite#*:}
+  [ "$crop" != "$sprite" ] || crop=
+  row "tests/data/sprites/${sprite%%:*}.png" "$crop" "$work/row$((i++)).png"
 done
 convert \( "$work"/row[0-2].png -background white -append \) \( "$work"/row[3-5].png -background white -append \) \
   +append -colors 256 docs/images/gallery_sprites.png

@@ -8,8 +8,8 @@ namespace depixel {
 namespace {
 
 /// How far a corner stands out, at least, in pixels: more than the 4 of circles, for those of a few pixels
-/// and the tips of ellipses reach 5.2.
-constexpr float kHeight = 6.0f;
+/// and the tips of ellipses reach 5.2, and other round things of games 6.1.
+constexpr float kHeight = 6.4f;
 /// So many steps its arms have at least.
 constexpr int kShortestArm = 6;
 /// How far from a node's lattice corner its arms may meet, along each axis, in pixels, unless they form a

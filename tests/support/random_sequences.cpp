@@ -263,8 +263,7 @@ void print(std::ostream& out, const Options& options) {
   constexpr std::array<std::string_view, 3> kShadings{"none", "gradient", "blur"};
   constexpr std::array<std::string_view, 3> kBorders{"fixed", "repeat", "mirror"};
   out << "{.similarity = Similarity::" << kSimilarities[static_cast<int>(options.similarity)]
-      << ", .merge_luma = " << options.merge_luma
-      << ", .connect_lines = " << name_of(options.connect_lines)
+      << ", .merge_luma = " << options.merge_luma << ", .connect_lines = " << name_of(options.connect_lines)
       << ", .dither = DitherKind::" << kDithers[static_cast<int>(options.dither)]
       << ", .spline = SplineKind::" << kSplines[static_cast<int>(options.spline)]
       << ", .smoothing = Smoothing::" << kSmoothings[static_cast<int>(options.smoothing)]

@@ -171,6 +171,21 @@ TEST(Corners, SidesAreStraight) {
   EXPECT_LT(stray(Corners::sharp), 0.6 * stray(Corners::round));
 }
 
+TEST(Corners, TheBowOfAKeyStaysRound) {
+  const Picture bow = ascii_picture({"................",  //
+                                     "......###.......",  //
+                                     ".....#####......",  //
+                                     ".....######.....",  //
+                                     "....########....",  //
+                                     "....#########...",  //
+                                     "...###########..",  //
+                                     "...############.",  //
+                                     "...############.",  //
+                                     "...############.",  //
+                                     "................"});
+  for (const glm::dvec2 kink : kinks(bow, Corners::sharp)) EXPECT_GT(kink.y, 5);
+}
+
 TEST(Corners, AreNoneWithoutEnergy) {
   const Picture picture =
       shape(41, [](double x, double y) { return std::fabs(x - 20) + std::fabs(y - 20) < 12; });
