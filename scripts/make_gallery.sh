@@ -21,7 +21,7 @@ row() { # PICTURE [CROP]
 
 i=0
 for sprite in minetest_game_default_apple minetest_game_bucket_lava minetest_game_default_tool_mesesword \
-  whichwayisup_blob_standing_0:24x24+0+0 whichwayisup_brown_key_0:34x14+5+26 pixelarticons_bell; do
+  whichwayisup_blob_standing_0 whichwayisup_brown_key_0:34x14+5+26 pixelarticons_bell; do
   crop=${sprite#*:}
   [ "$crop" != "$sprite" ] || crop=
   row "tests/data/sprites/${sprite%%:*}.png" "$crop" "$work/row$((i++)).png"

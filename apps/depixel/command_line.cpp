@@ -96,7 +96,7 @@ std::variant<Arguments, int> parse_command_line(int argc, char** argv) {
   app.footer(std::string(kFooter));
   app.set_version_flag("--version", "depixel " DEPIXEL_VERSION);
   app.add_option("IN", arguments.inputs,
-                 "PNG, BMP, JPEG or GIF files, folders, numbered patterns, - for standard input")
+                 "PNG, BMP, JPEG, GIF or Y4M files, folders, numbered patterns, - for standard input")
       ->type_name("")
       ->required();
   add_output_flags(app, arguments);

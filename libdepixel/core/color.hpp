@@ -32,11 +32,8 @@ constexpr YuvDifference yuv_difference(Rgba p, Rgba q) {
   return {299 * r + 587 * g + 114 * b, -169 * r - 331 * g + 500 * b, 500 * r - 419 * g - 81 * b};
 }
 
-/// How far apart in Y hqx has similar colours, in 1/1000 of a level.
-constexpr int kHqxLuma = 48'000;
-
 /// The criterion for merging: at most so many 1/1000 of a level apart in Y, 7 levels in U and 6 in V; alpha
-/// must be equal. With kHqxLuma it is that of hqx.
+/// must be equal. With 48 levels of Y it is that of hqx.
 constexpr bool similar_yuv(Rgba p, Rgba q, int max_y) {
   constexpr int kMaxU = 7'000, kMaxV = 6'000;
   const auto magnitude = [](int v) { return v < 0 ? -v : v; };

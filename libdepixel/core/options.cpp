@@ -40,7 +40,9 @@ std::span<const OptionInfo> option_table() {
        choice<&Options::dither>(kDitherNames)},
       {"spline", "How splines follow the cell graph", choice<&Options::spline>(kSplineNames)},
       {"smoothing", "How staircases are removed", choice<&Options::smoothing>(kSmoothingNames)},
-      {"corners", "Whether splines go round corners between long straight arms, or are broken there",
+      {"corners",
+       "With smoothing by energy: whether splines go round corners between long straight arms, or are broken "
+       "there",
        choice<&Options::corners>(kCornersNames)},
       {"curve-rule",
        "How far curves go for their vote: through pixels with two links (valence), or straight on at "
@@ -56,7 +58,9 @@ std::span<const OptionInfo> option_table() {
        "How the picture goes on beyond its border: contours end there (fixed), or go on through pixels that "
        "repeat or mirror those inside",
        choice<&Options::border>(kBorderNames)},
-      {"text-safe", "Leave small text and thin lines on plain ground as they are in the cell graph",
+      {"text-safe",
+       "With smoothing by energy: leave small text and thin lines on plain ground as they are in the cell "
+       "graph",
        SwitchOption{&Options::text_safe}},
       {"shading", "How the colours of pixels that merged or were connected run inside their component",
        choice<&Options::shading>(kShadingNames)},

@@ -95,10 +95,11 @@ FrameView IncrementalVectorizer::blended(const FrameView& frame, const Options& 
 
 void IncrementalVectorizer::count() {
   const Lattice& lattice = cells_.lattice;
-  stats_.pixels = lattice.width() * lattice.height();
+  stats_.pixels = lattice.shown_width() * lattice.shown_height();
   stats_.changed_tiles = changes_.everything ? stats_.pixels : changes_.new_tiles;
   stats_.moved_tiles = changes_.everything ? 0 : changes_.moved_tiles;
-  stats_.stale_corners = static_cast<int>(stale_.size());
+  const int corners = (lattice.width() + 1) * (lattice.height() + 1);
+  stats_.stale_corners = is_new_ ? corners : static_cast<int>(stale_.size());
   stats_.contours = static_cast<int>(edges_.contours().list.size());
   stats_.nodes = static_cast<int>(edges_.contours().corner.size());
   stats_.arcs = static_cast<int>(edges_.arcs().list.size());

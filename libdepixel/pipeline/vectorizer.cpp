@@ -47,7 +47,7 @@ void Vectorizer::vectorize_by_edge(const FrameView& input, const Options& option
   build_shading(graph_, cells_, options, shading_);
   clock.finish(5);
 
-  stats_.pixels = frame.width * frame.height;
+  stats_.pixels = input.width * input.height;
   stats_.contours = static_cast<int>(contours_.list.size());
   stats_.nodes = static_cast<int>(contours_.corner.size());
   stats_.arcs = static_cast<int>(arcs_.list.size());

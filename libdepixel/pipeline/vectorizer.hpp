@@ -29,7 +29,7 @@ struct VectorizeStats {
   int pixels = 0, crossings = 0, contours = 0, nodes = 0, segments = 0;
   int arcs = 0, fitted_shapes = 0;  ///< arcs whose shape was known already need no fitting
   /// Of incremental vectorizing, where the counts above are of what was done for the frame, but for segments;
-  /// from scratch, all is new.
+  /// from scratch, all is new. With a border, its margin counts here.
   int changed_pixels = 0;        ///< that differ from the frame before, moved as a whole where it moved
   int stale_corners = 0;         ///< lattice corners, and so 2x2 blocks, whose contours were traced again
   int changed_tiles = 0;         ///< tiles, one a pixel, in which the map is new

@@ -76,9 +76,9 @@ struct Arcs {
 /// Cuts contours into arcs: at junctions of four, and, with Smoothing::energy, at right angles with two arms
 /// that run straight for two more steps. Such a node lies on its lattice corner whatever is on either side,
 /// so an arc's spline depends on its words and its kind alone. Words of an open arc's ends have no code: all
-/// of them lie on their lattice corner. \param thin  by find_thin_pixels(); read with Smoothing::energy only.
-/// \param arcs  overwritten; its buffers are reused.
-/// Cost: linear in nodes. Source: Schapfel, section 4.7 (figure 57).
+/// of them lie on their lattice corner. \param marks  by find_pixel_marks(); read with Smoothing::energy
+/// only. \param arcs  overwritten; its buffers are reused. Cost: linear in nodes. Source: Schapfel,
+/// section 4.7 (figure 57).
 void cut_arcs(const CellGraph& cells, const Contours& contours, const std::vector<std::uint8_t>& marks,
               SplineKind kind, Smoothing smoothing, Arcs& arcs);
 

@@ -12,8 +12,8 @@ namespace depixel {
 /// Continues frames beyond their border, so that contours go on there instead of ending.
 class Border {
  public:
-  /// Pixels that a frame is continued by at each side: votes at crossings look three pixels far, and a
-  /// curve's shape depends on two nodes more.
+  /// Pixels that a frame is continued by at each side: votes at crossings look three pixels far, and most of
+  /// a curve's shape depends on two nodes more. Long arms of corners, and long curves that vote, end there.
   static constexpr int kMargin = 6;
 
   /// A frame with a margin, or itself where the border is fixed. \param frame  at least 1x1 pixels, without a

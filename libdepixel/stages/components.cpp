@@ -62,9 +62,22 @@ void find_majority_colours(const SimilarityGraph& graph, Components& components)
   const Lattice& lattice = graph.lattice;
   std::vector<std::uint64_t> keys;  // component in the high half, colour in the low half
   keys.reserve(static_cast<std::size_t>(lattice.width()) * lattice.height());
-  for (int y = 0; y < lattice.height(); ++y) {
-    for (int i = lattice.pixel(0, y), end = i + lattice.width(); i < end; ++i) {
-      keys.push_back(std::uint64_t(components.label[i]) << 32 | rgba_order(graph.pixels[i]));
+  std::vector<std::uint8_t> is_shown(components.count, 0);
+  const auto vote = [&](int i) {
+    keys.push_back(std::uint64_t(components.label[i]) << 32 | rgba_order(graph.pixels[i]));
+  };
+  const int margin = lattice.margin();
+  for (int y = margin; y < lattice.height() - margin; ++y) {
+    for (int i = lattice.pixel(margin, y), end = i + lattice.shown_width(); i < end; ++i) {
+      vote(i);
+      is_shown[components.label[i]] = 1;
+    }
+  }
+  if (margin > 0) {
+    for (int y = 0; y < lattice.height(); ++y) {
+      for (int i = lattice.pixel(0, y), end = i + lattice.width(); i < end; ++i) {
+        if (is_shown[components.label[i]] == 0) vote(i);
+      }
     }
   }
   std::sort(keys.begin(), keys.end());

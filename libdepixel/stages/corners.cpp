@@ -39,6 +39,11 @@ int squared_length(const DigitalLine& arm) {
   return dot(arm.end(), arm.end());
 }
 
+/// Whether the contour turns twice to the same side at the ends of a run.
+bool turns_back(const Run& run) {
+  return run.turn_in == run.turn_out && run.turn_in != 0;
+}
+
 /// The cosine of the angle between two arms.
 float cosine_between(const DigitalLine& a, const DigitalLine& b) {
   const glm::ivec2 u = a.direction(), v = b.direction();
@@ -90,7 +95,7 @@ void CornerPlacer::hold_bar_ends() {
   const int length = is_rectangle ? kLoneBarLength : kBarLength;
   for (int k = 0; k < runs.count(); ++k) {
     const Run& end = runs[k];
-    if (end.length != kBarWidth || end.turn_in == 0 || end.turn_in != end.turn_out) continue;
+    if (end.length != kBarWidth || !turns_back(end)) continue;
     if (runs.neighbour(k, -1)->length < length || runs.neighbour(k, 1)->length < length) continue;
     for (const int node : {end.start, end.start + kBarWidth}) {
       const int i = member_.first + wrapped(node);
@@ -107,7 +112,7 @@ void CornerPlacer::find_candidates() {
   candidates_.clear();
   for (int k = 0; k < runs_->count(); ++k) {
     const Run& run = (*runs_)[k];
-    if (run.turn_in == run.turn_out && run.turn_in != 0) {
+    if (turns_back(run)) {
       add_candidates_between_turns(k);
     } else if (run.turn_out != 0 && run.length > 1) {
       const Run& next = *runs_->neighbour(k, 1);
@@ -132,6 +137,7 @@ void CornerPlacer::add_candidates_between_turns(int run) {
 void CornerPlacer::add_candidate(int run, int offset) {
   const int node = wrapped((*runs_)[run].start + offset);
   if (batch_->role[member_.first + node] == NodeRole::sharp) return;
+  if (words_[node].is_text() || words_[wrapped(node - 1)].is_text()) return;
   if (!has_room(run, offset, -1) || !has_room(run, (*runs_)[run].length - offset, 1)) return;
   candidates_.push_back({node, run, offset});
 }
@@ -157,6 +163,8 @@ Direction CornerPlacer::step_from(int node, int direction) const {
   return direction > 0 ? words_[node].heading() : opposite(words_[wrapped(node - 1)].heading());
 }
 
+/// The longest digital straight segment from a node on. One that has been level so far is the side of a bar,
+/// and does not go round its end.
 DigitalLine CornerPlacer::arm(const Candidate& candidate, int direction) const {
   const int longest = member_.closed ? std::min(kLongestArm, member_.count / 2) : kLongestArm;
   int run = candidate.run;
@@ -170,8 +178,9 @@ DigitalLine CornerPlacer::arm(const Candidate& candidate, int direction) const {
   };
   DigitalLine line(heading(), std::min(steps, longest));
   while (line.steps() < longest) {
+    const bool is_level = line.steps() == steps;
     run = runs_->index(run, direction);
-    if (run < 0) break;
+    if (run < 0 || (is_level && turns_back((*runs_)[run]))) break;
     for (int k = std::min((*runs_)[run].length, longest - line.steps()); k > 0; --k) {
       if (!line.grow(heading())) return line;
     }

@@ -154,7 +154,8 @@ void find_checkers(int y, Dithers& dithers) {
 }
 
 void find_dithered_areas(Dithers& dithers) {
-  if (dithers.checkers.width() == 0 || dithers.checkers.height() == 0) return;
+  // Continued to both sides, a single checker would fill a square.
+  if (dithers.checkers.width() < 2 || dithers.checkers.height() < 2) return;
   auto& [bits, columns] = dithers.scratch;
   // Nine checkers in a square are a square of 4x4 pixels.
   bits = dithers.checkers;

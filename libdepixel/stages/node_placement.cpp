@@ -55,12 +55,12 @@ void NodePlacer::add(std::span<const ShapeWord> words, ArcKind kind, const Optio
     hold_corners();
     return;
   }
+  hold_text(words);
   find_thin_sides(words);
   if (has_thin_sides_) hold_square_ends();
   straighten_stairs();
   if (options.corners == Corners::sharp) corners_.place(words, runs_, member_, *batch_);
   if (has_thin_sides_) widen_thin_lines();
-  hold_text(words);
 }
 
 /// Open arcs must stay where they end; all else may move.
@@ -209,11 +209,7 @@ void NodePlacer::hold_text(std::span<const ShapeWord> words) {
   for (int k = 0; k < member_.count; ++k) {
     const bool is_after = words[k].is_text();
     const int i = member_.first + k;
-    if ((is_before || is_after) && batch_->role[i] == NodeRole::free) {
-      batch_->set_role(i, NodeRole::held);
-      batch_->x[i] = batch_->rest_x[i];
-      batch_->y[i] = batch_->rest_y[i];
-    }
+    if ((is_before || is_after) && batch_->role[i] == NodeRole::free) batch_->set_role(i, NodeRole::held);
     is_before = is_after;
   }
 }

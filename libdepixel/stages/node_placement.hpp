@@ -14,13 +14,12 @@ namespace depixel {
 /// Decides for every node of an arc where it starts, where it would rest and what role it plays, from the
 /// runs of equal steps that the arc is made of.
 ///
-/// - The square end of a one-pixel-wide line is held, so that the line keeps its length.
-/// - Slanted one-pixel-wide lines are widened to a width of one pixel (the cell graph makes 45 degrees 0.71
-/// wide).
 /// - Nodes of small text are held where the cell graph has them.
+/// - The square end of a one-pixel-wide line is held, so that the line keeps its length.
+/// - Slanted one-pixel-wide lines are widened to a width of one pixel (the cell graph makes them 0.71 wide at
+///   45 degrees).
 /// - A staircase of single steps starts as the line through the middles of its steps, a bulge as a parabola:
-/// the low
-///   frequencies, which sweeps over neighbours would take long to reach.
+///   the low frequencies, which sweeps over neighbours would take long to reach.
 class NodePlacer {
  public:
   /// Adds an arc to a batch and places its nodes.

@@ -62,7 +62,7 @@ std::array<int, 8> neighbour_offsets(const Lattice& lattice);
 struct LinkCriteria {
   Similarity similarity = Similarity::exact;
   bool connect_lines = false;
-  int merge_luma = kHqxLuma;  ///< of similar_yuv(), 1/1000 of a level
+  int merge_luma = 5'000;  ///< of similar_yuv(), 1/1000 of a level
 
   static LinkCriteria of(const Options& options) {
     return {options.similarity, options.connect_lines,

@@ -81,7 +81,7 @@ void ChainSimplifier::find_cheapest(std::span<const Cubic> chain) {
     if (steps_[from].cost + CurveCost::kLeast >= steps_[nodes].cost) continue;
     const int longest = longest_run(from);
     Failures failures;
-    for (int run = 1; run <= longest && failures.of_any() < kMostFailures; run = longer(run, longest)) {
+    for (int run = 1; run <= longest && failures.of_all() < kMostFailures; run = longer(run, longest)) {
       try_run(from, from + run, failures);
     }
   }

@@ -50,7 +50,7 @@ class ChainSimplifier {
   /// How many runs in a row were in vain for each kind of curve.
   struct Failures {
     int line = 0, quadratic = 0, cubic = 0;
-    int of_any() const { return std::min(line, std::min(quadratic, cubic)); }
+    int of_all() const { return std::min(line, std::min(quadratic, cubic)); }
   };
 
   void find_corners(std::span<const Cubic> chain, std::array<bool, 2> is_free);

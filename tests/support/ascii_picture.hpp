@@ -24,6 +24,9 @@ constexpr std::array<std::pair<char, Rgba>, 26> kPalette{{
     {'8', {220, 220, 220, 255}}, {'9', {245, 245, 245, 255}},
 }};
 
+/// Levels of Y, in 1/1000, by which neighbouring greys of the palette are alike: those of hqx.
+constexpr int kHqxLuma = 48'000;
+
 /// Colour of a palette character; magenta of alpha 3 for what is not in the palette.
 constexpr Rgba palette_colour(char character) {
   for (const auto& [name, colour] : kPalette) {

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/ascii_picture.hpp"
+
 namespace depixel {
 namespace {
+
+using test::kHqxLuma;
 
 constexpr Rgba grey(int v) {
   const auto level = static_cast<std::uint8_t>(v);

@@ -90,7 +90,9 @@ RC_GTEST_PROP(Border, ShowsThePartOfAWiderPicture, (const Picture& picture)) {
   constexpr int kScale = 5;
   Options options = *random_options();
   options.border = random_kind();
-  options.dither = DitherKind::keep;  // dithers are looked for before
+  options.dither = DitherKind::keep;       // dithers are looked for before
+  options.similarity = Similarity::exact;  // components take the colour of what is shown of them
+  options.connect_lines = false;
   const int width = kScale * picture.width, height = kScale * picture.height;
   const Picture shown = drawn(picture, options, {kScale, kScale, 0, 0}, width, height);
   const Picture wider = wide(picture, options.border);
@@ -118,6 +120,17 @@ TEST(Border, ContoursMeetItAtRightAnglesWhereItContinues) {
   };
   EXPECT_GT(slant_at_top(BorderKind::fixed), 0.1);
   EXPECT_LT(slant_at_top(BorderKind::mirror), 0.05);
+}
+
+TEST(Border, ItsPixelsHaveNoSayInTheColourOfAComponent) {
+  const Rgba rim{100, 100, 100, 255}, inside{102, 102, 102, 255};
+  Picture picture(8, 8, rim);
+  for (int y = 1; y < 7; ++y) std::fill_n(&picture.at(1, y), 6, inside);  // 36 of 64
+  for (const BorderKind kind : {BorderKind::fixed, BorderKind::repeat, BorderKind::mirror}) {
+    Options options = with_border(kind);
+    options.similarity = Similarity::merge;
+    EXPECT_EQ(drawn(picture, options, {1, 1, 0, 0}, 8, 8), Picture(8, 8, inside));
+  }
 }
 
 RC_GTEST_PROP(Border, KeepsTheCentresOfWhatIsShown, (const Picture& picture)) {

@@ -26,7 +26,7 @@ Cells build_cells(const Picture& picture, Similarity similarity = Similarity::ex
   Cells result;
   CrossingScratch scratch;
   const bool merges = similarity == Similarity::merge || connect_lines;
-  build_similarity_graph(picture.view(), {similarity, connect_lines}, result.graph);
+  build_similarity_graph(picture.view(), {similarity, connect_lines, kHqxLuma}, result.graph);
   resolve_crossings(result.graph, votes, scratch);
   if (merges) {
     label_components(result.graph, result.components);

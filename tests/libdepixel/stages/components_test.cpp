@@ -22,7 +22,7 @@ struct Labelled {
 Labelled label(const Picture& picture, Similarity similarity = Similarity::exact) {
   Labelled result;
   CrossingScratch scratch;
-  build_similarity_graph(picture.view(), {similarity}, result.graph);
+  build_similarity_graph(picture.view(), {similarity, false, kHqxLuma}, result.graph);
   resolve_crossings(result.graph, {}, scratch);
   label_components(result.graph, result.components);
   find_majority_colours(result.graph, result.components);

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "libdepixel/pipeline/verify.hpp"
+#include "libdepixel/raster/cpu_raster.hpp"
 #include "tests/support/ascii_picture.hpp"
 #include "tests/support/map_segments.hpp"
 #include "tests/support/map_splines.hpp"
@@ -169,6 +170,31 @@ TEST(Corners, SidesAreStraight) {
     return sum;
   };
   EXPECT_LT(stray(Corners::sharp), 0.6 * stray(Corners::round));
+}
+
+TEST(Corners, StrokesKeepTheirWidthToTheirEnds) {
+  constexpr int kScale = 16;
+  const Picture picture = ascii_picture({".................",  //
+                                         ".......#.........",  //
+                                         ".......#.........",  //
+                                         "......#..........",  //
+                                         "......#..........",  //
+                                         ".....#...........",  //
+                                         ".....#...........",  //
+                                         "....#............",  //
+                                         "....#............",  //
+                                         "...#.............",  //
+                                         "...#.............",  //
+                                         "..############...",  //
+                                         "................."});
+  Picture out(kScale * picture.width, kScale * picture.height);
+  const PlanarMap map = vectorized(picture);
+  CpuRaster().draw(map, View::fit(map.lattice, out.width, out.height), false, 1, out.target());
+  for (int x = 6; x < 13; ++x) {
+    int ink = 0;
+    for (int y = 10 * kScale; y < out.height; ++y) ink += 255 - out.at(x * kScale, y).r;
+    EXPECT_NEAR(ink / 255.0 / kScale, 1, 0.05) << x;
+  }
 }
 
 TEST(Corners, TheBowOfAKeyStaysRound) {

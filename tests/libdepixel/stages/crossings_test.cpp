@@ -23,7 +23,7 @@ Resolved resolve(const Picture& picture, const CrossingVotes& votes = {},
                  Similarity similarity = Similarity::exact) {
   Resolved result;
   CrossingScratch scratch;
-  build_similarity_graph(picture.view(), {similarity}, result.graph);
+  build_similarity_graph(picture.view(), {similarity, false, kHqxLuma}, result.graph);
   result.crossings = resolve_crossings(result.graph, votes, scratch);
   return result;
 }

@@ -122,6 +122,14 @@ class NaiveDithers {
   std::set<Block> blocks_;
 };
 
+TEST(Dithers, ALoneCheckerIsAWholePictureAtMost) {
+  for (const glm::ivec2 size : {glm::ivec2(2, 2), glm::ivec2(2, 9), glm::ivec2(9, 2)}) {
+    Picture picture(size.x, size.y);
+    paint_dither(picture, {0, 0}, size, kBlack, kWhite);
+    EXPECT_EQ(blended(picture), picture);
+  }
+}
+
 TEST(Dithers, BecomeTheColourBetween) {
   Picture picture(8, 6, kBlack);
   paint_dither(picture, {0, 0}, {8, 6}, kBlack, kWhite);

@@ -9,7 +9,10 @@
 #include <string_view>
 
 #include "libdepixel/pipeline/vectorizer.hpp"
+#include "libdepixel/raster/cpu_raster.hpp"
+#include "tests/support/map_segments.hpp"
 #include "tests/support/random_pictures.hpp"
+#include "tests/support/test_pictures.hpp"
 
 namespace depixel::test {
 namespace {
@@ -53,6 +56,29 @@ TEST(PixelMarks, LettersAreText) {
   EXPECT_EQ(text[1].substr(0, 12), ".-###..#..#.");
   EXPECT_EQ(text[5].substr(0, 12), ".-###..#..#.");
   for (const std::size_t y : {2, 3, 4}) EXPECT_EQ(text[y].substr(0, 12), letters[y].substr(0, 12));
+}
+
+TEST(PixelMarks, TextIsDrawnAsTheCellGraphHasIt) {
+  const Picture letter = ascii_picture({"...........",  //
+                                        ".#.......#.",  //
+                                        ".##......#.",  //
+                                        ".#.#.....#.",  //
+                                        ".#..#....#.",  //
+                                        ".#...#...#.",  //
+                                        ".#....#..#.",  //
+                                        ".#.....#.#.",  //
+                                        ".#......##.",  //
+                                        ".#.......#.",  //
+                                        "..........."});
+  const auto drawn = [&](const Options& options) {
+    Picture out(8 * letter.width, 8 * letter.height);
+    const PlanarMap map = vectorized(letter, options);
+    CpuRaster().draw(map, View::fit(map.lattice, out.width, out.height), false, 1, out.target());
+    return out;
+  };
+  const Picture plain = drawn({.smoothing = Smoothing::none});
+  const double smoothed = compare(plain, drawn({})).mean;
+  EXPECT_LT(compare(plain, drawn({.text_safe = true})).mean, 0.4 * smoothed);
 }
 
 TEST(PixelMarks, SpikesAndDiscsAreNot) {

@@ -12,7 +12,7 @@ namespace {
 SimilarityGraph build(const Picture& picture, Similarity similarity = Similarity::exact,
                       bool connect_lines = false) {
   SimilarityGraph graph;
-  build_similarity_graph(picture.view(), {similarity, connect_lines}, graph);
+  build_similarity_graph(picture.view(), {similarity, connect_lines, kHqxLuma}, graph);
   return graph;
 }
 
