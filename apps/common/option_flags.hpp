@@ -8,7 +8,7 @@
 
 #include "libdepixel/core/options.hpp"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): the library has it so
 class App;
 class Option;
 }  // namespace CLI
