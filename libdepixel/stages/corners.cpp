@@ -39,11 +39,6 @@ int squared_length(const DigitalLine& arm) {
   return dot(arm.end(), arm.end());
 }
 
-/// Whether the contour turns twice to the same side at the ends of a run.
-bool turns_back(const Run& run) {
-  return run.turn_in == run.turn_out && run.turn_in != 0;
-}
-
 /// The cosine of the angle between two arms.
 float cosine_between(const DigitalLine& a, const DigitalLine& b) {
   const glm::ivec2 u = a.direction(), v = b.direction();
@@ -95,7 +90,7 @@ void CornerPlacer::hold_bar_ends() {
   const int length = is_rectangle ? kLoneBarLength : kBarLength;
   for (int k = 0; k < runs.count(); ++k) {
     const Run& end = runs[k];
-    if (end.length != kBarWidth || !turns_back(end)) continue;
+    if (end.length != kBarWidth || !end.turns_back()) continue;
     if (runs.neighbour(k, -1)->length < length || runs.neighbour(k, 1)->length < length) continue;
     for (const int node : {end.start, end.start + kBarWidth}) {
       const int i = member_.first + wrapped(node);
@@ -112,7 +107,7 @@ void CornerPlacer::find_candidates() {
   candidates_.clear();
   for (int k = 0; k < runs_->count(); ++k) {
     const Run& run = (*runs_)[k];
-    if (turns_back(run)) {
+    if (run.turns_back()) {
       add_candidates_between_turns(k);
     } else if (run.turn_out != 0 && run.length > 1) {
       const Run& next = *runs_->neighbour(k, 1);
@@ -180,7 +175,7 @@ DigitalLine CornerPlacer::arm(const Candidate& candidate, int direction) const {
   while (line.steps() < longest) {
     const bool is_level = line.steps() == steps;
     run = runs_->index(run, direction);
-    if (run < 0 || (is_level && turns_back((*runs_)[run]))) break;
+    if (run < 0 || (is_level && (*runs_)[run].turns_back())) break;
     for (int k = std::min((*runs_)[run].length, longest - line.steps()); k > 0; --k) {
       if (!line.grow(heading())) return line;
     }

@@ -106,7 +106,7 @@ void NodePlacer::hold_square_ends() {
   // there.
   const float part = member_.interpolated ? 2.0f / 3.0f : 0.0f;
   for (const Run& run : runs_) {
-    if (run.length != 1 || run.turn_in == 0 || run.turn_in != run.turn_out) continue;
+    if (run.length != 1 || !run.turns_back()) continue;
     const int inner_side = run.turn_in > 0 ? kRightSide : kLeftSide;
     if (!(thin_sides_[run.start] & inner_side)) continue;
     for (const int i : {entry(run.start), entry(run.start + 1)}) {

@@ -15,6 +15,9 @@ struct Run {
   int length;  ///< steps
   Direction heading;
   int turn_in, turn_out;  ///< at its ends: 1 to the right, -1 to the left, 0 at an open end
+
+  /// Whether the contour turns twice to the same side.
+  bool turns_back() const { return turn_in == turn_out && turn_in != 0; }
 };
 
 /// The runs of an arc, in order; of a closed one, all round it.

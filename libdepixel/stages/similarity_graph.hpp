@@ -62,12 +62,12 @@ std::array<int, 8> neighbour_offsets(const Lattice& lattice);
 struct LinkCriteria {
   Similarity similarity = Similarity::exact;
   bool connect_lines = false;
-  int merge_luma = 5'000;  ///< of similar_yuv(), 1/1000 of a level
+  int merge_luma = thousandths(Options{}.merge_luma);  ///< of similar_yuv(), 1/1000 of a level
 
   static LinkCriteria of(const Options& options) {
-    return {options.similarity, options.connect_lines,
-            static_cast<int>(std::lround(1000 * options.merge_luma))};
+    return {options.similarity, options.connect_lines, thousandths(options.merge_luma)};
   }
+  static int thousandths(double levels) { return static_cast<int>(std::lround(1000 * levels)); }
 };
 
 /// Builds the similarity graph of a frame and freezes it (stage 1 of 6): links all similar neighbours, joins

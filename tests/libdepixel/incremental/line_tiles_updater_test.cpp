@@ -39,7 +39,7 @@ class Records {
 
   std::int64_t copied_tiles() const { return copied_tiles_; }
 
-  /// Empty if all tiles are those of a map that is cut_anew from scratch, else which one is not.
+  /// Empty if all tiles are those of a map that is cut from scratch, else which one is not.
   std::string mismatch(const LineTiles& scratch) const {
     if (width_ != scratch.width() || tiles_.size() != scratch.tiles().size()) return "another size";
     for (std::size_t i = 0; i < tiles_.size(); ++i) {

@@ -143,9 +143,8 @@ RC_GTEST_PROP(MapComparison, TilesAreWhatTheyAreSaidToBe, (const Sequence& seque
 }
 
 RC_GTEST_PROP(MapComparison, MovesNeedNotBeRight, (const Sequence& sequence)) {
-  const auto number = [](int from, int end) { return *random_int(from, end); };
   std::vector<glm::ivec2> moves;
-  for (int i = number(1, 5); i > 0; --i) moves.emplace_back(number(-4, 5), number(-4, 5));
+  for (int i = *random_int(1, 5); i > 0; --i) moves.emplace_back(*random_int(-4, 5), *random_int(-4, 5));
 
   IncrementalVectorizer vectorizer;
   MapComparison comparison;

@@ -14,7 +14,7 @@
 namespace depixel::test {
 namespace {
 
-/// CornerList of a contour in order, as points of the lattice.
+/// Corners of a contour in order, as points of the lattice.
 std::vector<std::pair<int, int>> corners_of(const Vectorizer& v, const Contour& contour) {
   std::vector<std::pair<int, int>> list;
   for (int k = contour.first; k < contour.first + contour.count; ++k) {

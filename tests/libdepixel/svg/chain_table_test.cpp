@@ -31,8 +31,8 @@ std::vector<std::int64_t> chords(const std::vector<Cubic>& curves) {
   return squares;
 }
 
-/// Where a chain is symmetric itself, but not what it is simplified_by_table to, the curves may be the
-/// mirrored ones.
+/// Where a chain is symmetric itself, but not what it is simplified to, the curves may be the mirrored
+/// ones.
 RC_GTEST_PROP(ChainTable, ChainsAreSimplifiedAlikeHoweverTheyLie, ()) {
   const Chain chain = random_chain();
   Chain other;
