@@ -70,9 +70,11 @@ void run(const Settings& settings) {
 void add_options(CLI::App& app, Settings& settings) {
   app.description(
       "Times sequences of frames at 4x on one core: each frame after those before it (incremental), from "
-      "scratch, by libavfilter's xbr=n=4 and hqx=n=4, and by RetroArch's softfilters. Each in turn plays the "
-      "whole sequence, several times over, and the median of each frame counts. The first frame warms up and "
-      "is not counted.\n"
+      "scratch, by libavfilter's xbr=n=4 and hqx=n=4, and by RetroArch's softfilters. They take turns of a "
+      "few "
+      "frames, the sequence is played several times, and the median of each frame counts. The first frame "
+      "warms "
+      "up and is not counted.\n"
       "Example: bench_sequences --softfilters --threads 2 captures/");
   app.add_option("FOLDER", settings.folders,
                  "folders of numbered PNG files, one sequence each, and folders of such folders")

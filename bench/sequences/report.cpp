@@ -6,17 +6,15 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "bench/sequences/samples.hpp"
-
 namespace depixel::bench {
 namespace {
 
 /// What the table and the JSON object say of a sequence.
 struct Summary {
   explicit Summary(const SequenceTiming& timing)
-      : to_xbr(ratios(timing.incremental_ms, timing.xbr4_ms)),
-        to_scratch(ratios(timing.incremental_ms, timing.scratch_ms)),
-        scratch_to_xbr(ratios(timing.scratch_ms, timing.xbr4_ms)) {}
+      : to_xbr(ratios(timing.incremental, timing.xbr4)),
+        to_scratch(ratios(timing.incremental, timing.scratch)),
+        scratch_to_xbr(ratios(timing.scratch, timing.xbr4)) {}
 
   std::vector<double> to_xbr, to_scratch, scratch_to_xbr;
 };
@@ -24,22 +22,25 @@ struct Summary {
 void print_softfilters(const SequenceTiming& timing) {
   for (const SoftFilterTiming& filter : timing.softfilters) {
     fmt::print("  {:<27} to {:>4} x {:<4} {:>7.3f} ms, incremental {:.2f} times that\n", filter.name,
-               filter.out_width, filter.out_height, median(filter.ms),
-               median(ratios(timing.incremental_ms, filter.ms)));
+               filter.out_width, filter.out_height, median(filter.samples.medians()),
+               median(ratios(timing.incremental, filter.samples)));
   }
 }
 
 void print_repeats(const SequenceTiming& timing) {
-  std::vector<double> incremental_ms, compare_ms;
-  for (std::size_t i = 0; i < timing.is_repeat.size(); ++i) {
-    if (!timing.is_repeat[i]) continue;
-    incremental_ms.push_back(timing.incremental_ms[i]);
-    compare_ms.push_back(timing.compare_ms[i]);
-  }
+  const auto of_repeats = [&](const std::vector<double>& values) {
+    std::vector<double> chosen;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (timing.is_repeat[i]) chosen.push_back(values[i]);
+    }
+    return chosen;
+  };
+  const auto incremental_ms = of_repeats(timing.incremental.medians());
   if (incremental_ms.empty()) return;
   fmt::print("  frames like the one before: {}, incremental {:.4f} ms, {:.1f} times a memcmp of {:.4f} ms\n",
-             incremental_ms.size(), median(incremental_ms), median(ratios(incremental_ms, compare_ms)),
-             median(compare_ms));
+             incremental_ms.size(), median(incremental_ms),
+             median(of_repeats(ratios(timing.incremental, timing.compare))),
+             median(of_repeats(timing.compare.medians())));
 }
 
 }  // namespace
@@ -52,13 +53,14 @@ void print_header() {
 
 void print_timing(const SequenceTiming& timing) {
   const Summary summary(timing);
+  const auto incremental_ms = timing.incremental.medians();
   fmt::print(
       "{:<26} {:>6} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.2f} {:>8.2f} {:>8.3f} {:>8.2f} {:>8.2f} "
       "{:>8.2f} {:>8.1f}\n",
-      timing.name, timing.incremental_ms.size(), median(timing.incremental_ms), median(timing.scratch_ms),
-      median(timing.xbr4_ms), median(timing.hqx4_ms), median(summary.to_xbr), median(summary.to_scratch),
-      percentile_99(timing.incremental_ms), percentile_99(summary.to_xbr), worst(summary.to_scratch),
-      worst(summary.scratch_to_xbr), timing.bytes_per_pixel);
+      timing.name, incremental_ms.size(), median(incremental_ms), median(timing.scratch.medians()),
+      median(timing.xbr4.medians()), median(timing.hqx4.medians()), median(summary.to_xbr),
+      median(summary.to_scratch), percentile_99(incremental_ms), percentile_99(summary.to_xbr),
+      worst(summary.to_scratch), worst(summary.scratch_to_xbr), timing.bytes_per_pixel);
   print_softfilters(timing);
   print_repeats(timing);
   std::fflush(stdout);
@@ -88,13 +90,15 @@ void print_json(std::span<const SequenceTiming> timings) {
   for (const SequenceTiming& timing : timings) {
     const Summary summary(timing);
     Json softfilters = Json::object();
-    for (const SoftFilterTiming& filter : timing.softfilters) softfilters[filter.name] = median(filter.ms);
+    for (const SoftFilterTiming& filter : timing.softfilters) {
+      softfilters[filter.name] = median(filter.samples.medians());
+    }
     sequences.push_back({{"name", timing.name},
-                         {"xbr4_ms", median(timing.xbr4_ms)},
-                         {"hqx4_ms", median(timing.hqx4_ms)},
-                         {"scratch_ms", median(timing.scratch_ms)},
-                         {"median_ms", median(timing.incremental_ms)},
-                         {"p99_ms", percentile_99(timing.incremental_ms)},
+                         {"xbr4_ms", median(timing.xbr4.medians())},
+                         {"hqx4_ms", median(timing.hqx4.medians())},
+                         {"scratch_ms", median(timing.scratch.medians())},
+                         {"median_ms", median(timing.incremental.medians())},
+                         {"p99_ms", percentile_99(timing.incremental.medians())},
                          {"median_ratio_to_xbr4", median(summary.to_xbr)},
                          {"median_ratio_to_scratch", median(summary.to_scratch)},
                          {"worst_ratio_to_scratch", worst(summary.to_scratch)},

@@ -25,16 +25,23 @@ class Samples {
     return result;
   }
 
+  /// One contestant's times divided by another's, each by the one in the same playback; and of each frame but
+  /// the first, the median of the playbacks. A machine whose speed changes from playback to playback changes
+  /// both alike.
+  friend std::vector<double> ratios(const Samples& of, const Samples& to) {
+    std::vector<double> result;
+    for (std::size_t frame = 1; frame < of.ms_.size(); ++frame) {
+      std::vector<double> quotients(of.ms_[frame].size());
+      std::transform(of.ms_[frame].begin(), of.ms_[frame].end(), to.ms_[frame].begin(), quotients.begin(),
+                     [](double a, double b) { return a / b; });
+      result.push_back(median(quotients));
+    }
+    return result;
+  }
+
  private:
   std::vector<std::vector<double>> ms_;  ///< by frame, then by playback
 };
-
-/// One list divided by another, frame by frame.
-inline std::vector<double> ratios(const std::vector<double>& of, const std::vector<double>& to) {
-  std::vector<double> result(of.size());
-  std::transform(of.begin(), of.end(), to.begin(), result.begin(), [](double a, double b) { return a / b; });
-  return result;
-}
 
 /// The largest of some values. At least one value.
 inline double worst(const std::vector<double>& values) {

@@ -2,13 +2,13 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <deque>
 #include <stdexcept>
 
 #include "bench/peers/libav_scaler.hpp"
-#include "bench/sequences/samples.hpp"
 #include "bench/sequences/scratch_player.hpp"
 #include "filter/frame_filter.hpp"
 
@@ -16,6 +16,9 @@ namespace depixel::bench {
 namespace {
 
 const Options kOptions;  // the defaults, one thread
+
+/// Frames of a turn.
+constexpr std::size_t kTurn = 8;
 
 void check(const tl::expected<void, Error>& done) {
   if (!done) throw std::runtime_error(done.error().message);
@@ -73,36 +76,27 @@ class SequenceTimer {
     for (const SoftFilterLibrary& library : softfilters) add(library);
   }
 
-  /// Each plays the whole sequence, one after the other: a filter in an emulator has the caches to itself and
-  /// the game, and so has each here.
-  void play() {
-    play_incrementally();
-    each_frame([&](std::size_t frame) {
-      scratch_.time(frame, [&] {
-        scratch_player_.vectorize(view(frame));
-        scratch_player_.draw();
-      });
-    });
-    play(xbr_);
-    play(hqx_);
-    for (auto& peer : softfilters_) play(peer);
-    each_frame([&](std::size_t frame) { compare(frame); });
+  /// \param first_turn  frames of the first turn, 1 to kTurn.
+  void play(std::size_t first_turn) {
+    incremental_player_.restart();
+    for (std::size_t from = 0, to = first_turn; from < count(); from = to, to += kTurn) {
+      take_turns(from, std::min(to, count()));
+    }
   }
 
   SequenceTiming result() const {
     SequenceTiming timing{sequence_.name,
-                          incremental_.medians(),
-                          scratch_.medians(),
-                          xbr_.samples.medians(),
-                          hqx_.samples.medians(),
-                          compare_.medians(),
+                          incremental_,
+                          scratch_,
+                          xbr_.samples,
+                          hqx_.samples,
+                          compare_,
                           {is_repeat_.begin() + 1, is_repeat_.end()},
                           {},
                           double(most_memory_bytes_) / double(sequence_.frames.front().pixel_count())};
     for (const auto& peer : softfilters_) {
       const SoftFilter& filter = peer.scaler;
-      timing.softfilters.push_back(
-          {filter.name(), filter.out_width(), filter.out_height(), peer.samples.medians()});
+      timing.softfilters.push_back({filter.name(), filter.out_width(), filter.out_height(), peer.samples});
     }
     return timing;
   }
@@ -119,26 +113,32 @@ class SequenceTimer {
     }
   }
 
-  template <typename Work>
-  void each_frame(Work&& work) {
-    for (std::size_t frame = 0; frame < count(); ++frame) work(frame);
-  }
-
-  void play_incrementally() {
-    incremental_player_.restart();
+  /// All contestants, one after the other, with frames from .. to - 1.
+  void take_turns(std::size_t from, std::size_t to) {
+    const auto each_frame = [&](auto&& work) {
+      for (std::size_t frame = from; frame < to; ++frame) work(frame);
+    };
+    // Handing over a frame is not timed.
+    const auto play = [&](auto& peer) {
+      each_frame([&](std::size_t frame) {
+        peer.scaler.load(view(frame));
+        peer.time(frame);
+      });
+    };
     each_frame([&](std::size_t frame) {
       incremental_.time(frame, [&] { incremental_player_.show(view(frame)); });
       most_memory_bytes_ = std::max(most_memory_bytes_, incremental_player_.memory_bytes());
     });
-  }
-
-  /// Handing over a frame is not timed.
-  template <typename Scaler>
-  void play(Peer<Scaler>& peer) {
     each_frame([&](std::size_t frame) {
-      peer.scaler.load(view(frame));
-      peer.time(frame);
+      scratch_.time(frame, [&] {
+        scratch_player_.vectorize(view(frame));
+        scratch_player_.draw();
+      });
     });
+    play(xbr_);
+    play(hqx_);
+    for (auto& peer : softfilters_) play(peer);
+    each_frame([&](std::size_t frame) { compare(frame); });
   }
 
   void compare(std::size_t frame) {
@@ -164,7 +164,7 @@ class SequenceTimer {
 SequenceTiming time_sequence(const Sequence& sequence, std::span<const SoftFilterLibrary> softfilters,
                              int playbacks) {
   SequenceTimer timer(sequence, softfilters);
-  for (int i = 0; i < playbacks; ++i) timer.play();
+  for (int i = 0; i < playbacks; ++i) timer.play(kTurn - std::size_t(i) % kTurn);
   return timer.result();
 }
 

@@ -35,8 +35,7 @@ ThreadTiming time_threads(const Sequence& sequence, int threads, int playbacks) 
       several.time(frame, view);
     }
   }
-  return {threads, median(ratios(one.draw.medians(), several.draw.medians())),
-          median(ratios(one.both.medians(), several.both.medians()))};
+  return {threads, median(ratios(one.draw, several.draw)), median(ratios(one.both, several.both))};
 }
 
 }  // namespace depixel::bench

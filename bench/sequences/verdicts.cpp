@@ -48,8 +48,8 @@ std::vector<Verdict> judge(const SequenceTiming& timing) {
   const auto add = [&](std::string_view what, double value, double wanted) {
     verdicts.push_back({timing.name, std::string(what), value, wanted});
   };
-  const auto to_xbr = ratios(timing.incremental_ms, timing.xbr4_ms),
-             to_scratch = ratios(timing.incremental_ms, timing.scratch_ms);
+  const auto to_xbr = ratios(timing.incremental, timing.xbr4),
+             to_scratch = ratios(timing.incremental, timing.scratch);
   constexpr std::string_view kToXbr = "median incremental/xbr", kToScratch = "median incremental/scratch";
   switch (motion_of(timing.name)) {
     case Motion::scrolling:
@@ -66,7 +66,7 @@ std::vector<Verdict> judge(const SequenceTiming& timing) {
       break;
   }
   add("worst incremental/scratch", worst(to_scratch), kWantedWorstToScratch);
-  add("worst scratch/xbr", worst(ratios(timing.scratch_ms, timing.xbr4_ms)), kWantedScratchToXbr);
+  add("worst scratch/xbr", worst(ratios(timing.scratch, timing.xbr4)), kWantedScratchToXbr);
   add("bytes a source pixel", timing.bytes_per_pixel, kWantedBytes);
   return verdicts;
 }
