@@ -175,6 +175,7 @@ void build_raw_similarity_graph(const FrameView& frame, const LinkCriteria& crit
     };
     link_all(graph, link_row, graph.links);
   }
+  if (criteria.connect_lines) connect_line_components(graph);
 }
 
 void build_similarity_graph(const FrameView& frame, const LinkCriteria& criteria, SimilarityGraph& graph) {
@@ -184,7 +185,6 @@ void build_similarity_graph(const FrameView& frame, const LinkCriteria& criteria
     return;
   }
   build_raw_similarity_graph(frame, criteria, graph);
-  if (criteria.connect_lines) connect_line_components(graph);
   freeze_merged(graph);
 }
 

@@ -84,6 +84,19 @@ TEST(StageView, SimilarityRingsCrossingsAndJoinsLinksInARow) {
   EXPECT_EQ(links.strokes.size(), 2u + 4u + 3u + 3u);
 }
 
+TEST(StageView, SimilarityShowsJoinedLines) {
+  const Picture lines = ascii_picture({".......",  //
+                                       ".33....",  //
+                                       "...55..",  //
+                                       "......."});
+  const auto strokes = [&](bool connect_lines) {
+    Options options;
+    options.connect_lines = connect_lines;
+    return make_stage_drawing(StageView::similarity, lines.view(), options).strokes.size();
+  };
+  EXPECT_EQ(strokes(true), strokes(false) + 1);
+}
+
 TEST(StageView, ContoursMarkTheirEndsAndTellKindsApart) {
   const Picture in = ascii_picture({"####", "####", "rr67", "rr67"});
   const StageDrawing drawing = make_stage_drawing(StageView::contours, in.view(), {});
