@@ -125,6 +125,26 @@ std::array<Window, 8> window_rows(const SimilarityGraph& graph, int block) {
   return rows;
 }
 
+/// Compared two rows at a time: arrays would be compared by a call.
+bool are_equal(const std::array<Window, 8>& a, const std::array<Window, 8>& b) {
+  Byte16 differing{};
+  for (int row = 0; row < 8; row += 2) {
+    differing |= load_vector<Byte16>(&a[row]) ^ load_vector<Byte16>(&b[row]);
+  }
+  return is_zero(differing);
+}
+
+/// Two rows are mixed in side by side: each multiplication waits for the one before.
+Window hash_of(const std::array<Window, 8>& rows) {
+  constexpr Window kScramble = 0x9e3779b97f4a7c15;
+  Window even = 0, odd = 0;
+  for (int row = 0; row < 8; row += 2) {
+    even = (even ^ rows[row]) * kScramble;
+    odd = (odd ^ rows[row + 1]) * kScramble;
+  }
+  return (even ^ std::rotl(odd, 32)) * kScramble;
+}
+
 WindowLinks window_links(const std::array<Window, 8>& rows) {
   std::array<Window, 4> links{};  // by bit of BlockLink
   for (int row = 0; row < 8; row += 2) {
@@ -156,10 +176,8 @@ const WindowCacheEntry& component_sizes(const SimilarityGraph& graph, int block,
                                         std::vector<WindowCacheEntry>& cache) {
   constexpr Window kNorthWest = Window{1} << (8 * 3 + 3), kNorthEast = kNorthWest << 1;
   const std::array<Window, 8> rows = window_rows(graph, block);
-  Window hash = 0;
-  for (const Window row : rows) hash = (hash ^ row) * 0x9e3779b97f4a7c15;
-  WindowCacheEntry& entry = cache[hash >> 32 & (cache.size() - 1)];
-  if (entry.main_size == 0 || entry.rows != rows) {
+  WindowCacheEntry& entry = cache[hash_of(rows) >> 32 & (cache.size() - 1)];
+  if (entry.main_size == 0 || !are_equal(entry.rows, rows)) {
     const WindowPair components = flood(window_links(rows), WindowPair{kNorthWest, kNorthEast});
     entry = {rows, std::popcount(components[0]), std::popcount(components[1])};
   }

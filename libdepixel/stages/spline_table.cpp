@@ -82,7 +82,9 @@ int SplineTable::Index::find_or_add(std::uint64_t key, int number, IsSame is_sam
   const auto halves = std::bit_cast<std::array<std::uint32_t, 2>>(key);
   std::size_t at = place_of(halves);
   for (; entries_[at].number >= 0; at = (at + 1) & mask) {
-    if (entries_[at].key == halves && is_same(entries_[at].number)) return entries_[at].number;
+    // As one number: arrays would be compared by a call.
+    const bool is_key = std::bit_cast<std::uint64_t>(entries_[at].key) == key;
+    if (is_key && is_same(entries_[at].number)) return entries_[at].number;
   }
   entries_[at] = {halves, number};
   if (2 * ++used_ > entries_.size()) grow();
