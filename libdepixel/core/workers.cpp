@@ -3,6 +3,13 @@
 #include <algorithm>
 
 namespace depixel {
+namespace {
+
+/// How often a thread that is done asks whether the others are before it sleeps: to be woken takes longer
+/// than most parts.
+constexpr int kAskingTimes = 200;
+
+}  // namespace
 
 Workers::~Workers() {
   stop();
@@ -47,20 +54,16 @@ void Workers::run_job(int parts, Job job) {
   }
   job_given_.notify_all();
   take_parts(0);
+  for (int asked = 0; asked < kAskingTimes; ++asked) {
+    if (busy_ == 0) return;
+    std::this_thread::yield();
+  }
   std::unique_lock lock(mutex_);
   job_done_.wait(lock, [this] { return busy_ == 0; });
 }
 
 void Workers::take_parts(int thread) {
-  for (;;) {
-    int part;
-    {
-      const std::lock_guard lock(mutex_);
-      if (next_ >= parts_) return;
-      part = next_++;
-    }
-    job_.call(job_.work, part, thread);
-  }
+  for (int part = next_++; part < parts_; part = next_++) job_.call(job_.work, part, thread);
 }
 
 void Workers::help(int thread) {
@@ -73,8 +76,9 @@ void Workers::help(int thread) {
       seen = jobs_;
     }
     take_parts(thread);
-    const std::lock_guard lock(mutex_);
-    if (--busy_ == 0) job_done_.notify_one();
+    if (--busy_ != 0) continue;
+    const std::lock_guard lock(mutex_);  // so that the one who waits is not just about to sleep
+    job_done_.notify_one();
   }
 }
 

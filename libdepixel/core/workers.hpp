@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
@@ -48,9 +49,10 @@ class Workers {
   std::condition_variable job_given_, job_done_;
   std::uint64_t jobs_ = 0;  ///< given so far
   bool stopping_ = false;
-  int busy_ = 0;  ///< helpers that have not finished the job
+  std::atomic<int> busy_ = 0;  ///< helpers that have not finished the job
   Job job_;
-  int next_ = 0, parts_ = 0;
+  std::atomic<int> next_ = 0;  ///< part to be taken next
+  int parts_ = 0;
 };
 
 }  // namespace depixel
