@@ -22,14 +22,6 @@ bool TilePainter::fits(const OutputGrid& grid) {
          grid.row(lattice.height()) <= grid.target.height * kRasterSubpixels;
 }
 
-void TilePainter::Scratch::start(const SplineTable& of_table, const OutputGrid& grid, int pitch) {
-  const bool is_good = cells.start(grid, pitch);
-  if (!is_good || table != &of_table || generation != of_table.generation()) numbers.clear();
-  table = &of_table;
-  generation = of_table.generation();
-  numbers.resize(table->size() + 1);
-}
-
 /// Adds what the curves that touch a run's tiles, or the one on its west, change in the run.
 template <typename Model>
 void TilePainter::add_curves(const IncrementalVectorizer& source, const std::vector<Rgba>& colours,
@@ -51,13 +43,13 @@ void TilePainter::add_curves(const IncrementalVectorizer& source, const std::vec
       const int seen = beside - (x - 1);
       const int seen_bit = beside >= 0 && seen >= 0 ? 1 << seen : 0;
       for (const int southwards : {0, 1}) {
-        if (curve[southwards] == 0) continue;
-        const int touched = table.tiles(curve[southwards]) >> row_bits;
+        const int number = curve[southwards];
+        if (number == 0) continue;
+        const int touched = table.tiles(number) >> row_bits;
         if ((touched & wanted) == 0) continue;
-        const int number = scratch.number_of(curve[southwards]);
-        const std::span<const CurveCells::Cell> cells = (touched & seen_bit) != 0
-                                                            ? scratch.cells.seen_from(number, row_bits + seen)
-                                                            : scratch.cells.in_row(number, row);
+        const std::span<const CurveCells::Cell> cells =
+            (touched & seen_bit) != 0 ? scratch.cells.seen_from(number, table.curve(number), row_bits + seen)
+                                      : scratch.cells.in_row(number, table.curve(number), row);
         if (cells.empty()) continue;
         const EdgeSides sides = sides_of(lattice.corner(x, y), southwards != 0, lattice.stride());
         const auto change = Model::change(colours[sides.right], colours[sides.left]);
@@ -119,7 +111,7 @@ std::int64_t TilePainter::draw(const IncrementalVectorizer& source, const std::v
   if (scratch_.size() < threads) scratch_.resize(threads);
   for (Scratch& own : scratch_) {
     own.drawn_pixels = 0;
-    own.start(source.table(), grid, pitch);
+    own.cells.start(grid, pitch, source.table().generation(), source.table().size() + 1);
     auto& sums = std::get<std::vector<typename Model::Sums>>(own.sums);
     const std::size_t size = std::size_t(pitch) * grid.y.whole_scale();
     if (sums.size() < size) sums.resize(size);
@@ -145,7 +137,7 @@ std::int64_t TilePainter::draw(const IncrementalVectorizer& source, const std::v
 std::size_t TilePainter::memory_bytes() const {
   std::size_t bytes = held_bytes(scratch_);
   for (const Scratch& own : scratch_) {
-    bytes += own.cells.memory_bytes() + held_bytes(own.numbers, std::get<0>(own.sums), std::get<1>(own.sums));
+    bytes += own.cells.memory_bytes() + held_bytes(std::get<0>(own.sums), std::get<1>(own.sums));
   }
   return bytes;
 }

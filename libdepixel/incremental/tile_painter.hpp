@@ -37,20 +37,9 @@ class TilePainter {
   /// Buffers of a thread.
   struct Scratch {
     CurveCells cells;
-    const SplineTable* table = nullptr;
-    unsigned generation = 0;
-    std::vector<int>
-        numbers;  ///< of the table's curves in the cells, by their number in the table; 0 unknown
     /// Sums of a row of tiles, one an output pixel, and one more a row for what the last leaves to the next.
     std::tuple<std::vector<Sums32>, std::vector<Sums64>> sums;
     std::int64_t drawn_pixels = 0;
-
-    void start(const SplineTable& of_table, const OutputGrid& grid, int pitch);
-    int number_of(int curve) {
-      int& number = numbers[curve];
-      if (number == 0) number = cells.number_of(table->curve(curve));
-      return number;
-    }
   };
 
   template <typename Model>

@@ -1,7 +1,6 @@
 #include "libdepixel/raster/curve_cells.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 
 #include "libdepixel/raster/flatten.hpp"
@@ -12,63 +11,24 @@ namespace {
 /// With more cells than so many for each pixel of the frame, all are forgotten: a frame has fewer mostly, and
 /// what frames have in common is known again soon.
 constexpr std::size_t kCellsAPixel = 2, kFewestCells = std::size_t{1} << 14;
-constexpr int kFirstBits = 12;  ///< the index begins with so many bits
 
 }  // namespace
 
-bool CurveCells::start(const OutputGrid& grid, int pitch) {
+void CurveCells::start(const OutputGrid& grid, int pitch, std::uint64_t generation, std::size_t numbers) {
   const std::size_t pixels = std::size_t(grid.lattice.width()) * grid.lattice.height();
   const bool has_room = cells_.size() < std::max(kFewestCells, kCellsAPixel * pixels);
-  if (scale_ == grid.scale && pitch_ == pitch && has_room) return true;
-  scale_ = grid.scale;
-  whole_scale_ = {grid.x.whole_scale(), grid.y.whole_scale()};
-  pitch_ = pitch;
-  sums_.resize(3 * whole_scale_.x);
-  sums_.start(0, 3 * whole_scale_.y);
-  clear();
-  return false;
-}
-
-void CurveCells::clear() {
-  curves_.assign(1, {});
-  entries_.assign(1, {});
-  views_.assign(1, {});
-  cells_.assign(1, {});
-  if (index_.empty()) index_.resize(std::size_t{1} << kFirstBits);
-  std::fill(index_.begin(), index_.end(), 0);
-  shift_ = 64 - std::countr_zero(index_.size());
-}
-
-/// Where a curve is in the index, or may be added.
-std::size_t CurveCells::place_of(const EdgeCurve& curve) const {
-  const auto words = std::bit_cast<std::array<std::uint64_t, 2>>(curve);
-  constexpr std::uint64_t kScramble = 0x9e37'79b9'7f4a'7c15;  // 2^64 over the golden ratio
-  const std::uint64_t mixed = (words[0] ^ std::rotl(words[1] * kScramble, 32)) * kScramble;
-  std::size_t place = mixed >> shift_;
-  const auto is_same = [&](int number) {
-    return std::bit_cast<std::array<std::uint64_t, 2>>(curves_[number]) == words;
-  };
-  while (index_[place] != 0 && !is_same(index_[place])) place = (place + 1) & (index_.size() - 1);
-  return place;
-}
-
-int CurveCells::number_of(const EdgeCurve& curve) {
-  const std::size_t place = place_of(curve);
-  if (index_[place] != 0) return index_[place];
-  const int number = static_cast<int>(curves_.size());
-  index_[place] = number;
-  curves_.push_back(curve);
-  make_cells(curve);
-  if (2 * curves_.size() > index_.size()) grow_index();
-  return number;
-}
-
-void CurveCells::grow_index() {
-  index_.assign(2 * index_.size(), 0);
-  --shift_;
-  for (std::size_t number = 1; number < curves_.size(); ++number) {
-    index_[place_of(curves_[number])] = static_cast<int>(number);
+  if (scale_ != grid.scale || pitch_ != pitch || generation_ != generation || !has_room) {
+    scale_ = grid.scale;
+    whole_scale_ = {grid.x.whole_scale(), grid.y.whole_scale()};
+    pitch_ = pitch;
+    generation_ = generation;
+    sums_.resize(3 * whole_scale_.x);
+    sums_.start(0, 3 * whole_scale_.y);
+    entries_.clear();
+    views_.assign(1, {});
+    cells_.assign(1, {});
   }
+  if (entries_.size() < numbers) entries_.resize(numbers);
 }
 
 void CurveCells::flatten_curve(const EdgeCurve& curve) {
@@ -79,7 +39,7 @@ void CurveCells::flatten_curve(const EdgeCurve& curve) {
           [&](glm::ivec2, glm::ivec2 to) { points_.push_back(to); });
 }
 
-void CurveCells::make_cells(const EdgeCurve& curve) {
+void CurveCells::make_cells(const EdgeCurve& curve, Entry& entry) {
   flatten_curve(curve);
   // The sums begin a tile north-west of the owner: curves reach no farther.
   const glm::ivec2 shift = whole_scale_ * kRasterSubpixels;
@@ -91,7 +51,7 @@ void CurveCells::make_cells(const EdgeCurve& curve) {
     sums_.add_line(a.x, a.y, b.x, b.y, 1);
   }
   const int first_row = low / kRasterSubpixels, end_row = (high + kRasterSubpixels - 1) / kRasterSubpixels;
-  Entry entry{static_cast<int>(cells_.size())};
+  entry.first = static_cast<int>(cells_.size());
   for (int row = 0; row < 3; ++row) {
     const int from = std::max(row * whole_scale_.y, first_row);
     const int to = std::min((row + 1) * whole_scale_.y, end_row);
@@ -101,7 +61,6 @@ void CurveCells::make_cells(const EdgeCurve& curve) {
     }
     entry.ends[row + 1] = static_cast<std::uint16_t>(static_cast<int>(cells_.size()) - entry.first);
   }
-  entries_.push_back(entry);
 }
 
 int CurveCells::add_views() {
@@ -114,14 +73,13 @@ int CurveCells::add_views() {
 /// end, that adds nothing, as their changes cancel out. Then curves that stay west add nothing either, and
 /// those that cross the line make a difference to the centre only if they do so south of it: that is taken
 /// back.
-CurveCells::Range CurveCells::make_view(int number, int tile) {
+CurveCells::Range CurveCells::make_view(const EdgeCurve& curve, const Entry& entry, int tile) {
   const int row = tile / 3 - 1, column = tile % 3 - 1;
   const glm::ivec2 centre = (2 * glm::ivec2(column, row) + 1) * whole_scale_ * (kRasterSubpixels / 2);
-  flatten_curve(curves_[number]);
+  flatten_curve(curve);
   const auto [west, east] = std::minmax_element(points_.begin(), points_.end(),
                                                 [](glm::ivec2 a, glm::ivec2 b) { return a.x < b.x; });
   if (east->x < centre.x) return {1, 0};
-  const Entry& entry = entries_[number];
   const int from = entry.first + entry.ends[row + 1], to = entry.first + entry.ends[row + 2];
   if (west->x >= centre.x) return {from, to - from};
 

@@ -38,17 +38,16 @@ class CurveCells {
     return fits(grid) && is_good(grid.x.whole_scale()) && is_good(grid.y.whole_scale());
   }
 
-  /// Starts on a picture; forgets all curves if the scale or the pitch are others, or they have become many.
-  /// \param pitch  places to a row of the picture of sums.
-  /// \return whether numbers from before are still good.
-  bool start(const OutputGrid& grid, int pitch);
-
-  /// The number of a curve; never 0. Good until start() forgets it.
-  int number_of(const EdgeCurve& curve);
+  /// Starts on a picture; forgets all curves if the scale, the pitch or the generation are others, or their
+  /// cells have become many.
+  /// \param pitch       places to a row of the picture of sums.
+  /// \param generation  of the curves' numbers, see SplineTable::generation(). \param numbers  more than any.
+  void start(const OutputGrid& grid, int pitch, std::uint64_t generation, std::size_t numbers);
 
   /// The cells of a curve in a row of tiles; -1, 0 or 1 from its owner. Valid until the next call.
-  std::span<const Cell> in_row(int number, int row) const {
-    const Entry& entry = entries_[number];
+  /// \param number  names the curve.
+  std::span<const Cell> in_row(int number, const EdgeCurve& curve, int row) {
+    const Entry& entry = entry_of(number, curve);
     return std::span(cells_).subspan(entry.first + entry.ends[row + 1],
                                      entry.ends[row + 2] - entry.ends[row + 1]);
   }
@@ -56,15 +55,15 @@ class CurveCells {
   /// have the tile's colour but for what this and other curves change between its centre and them: then
   /// curves that touch neither the tile nor what lies east of it need not be looked at. Valid until the next
   /// call. \param tile  bit of a TileMask.
-  std::span<const Cell> seen_from(int number, int tile) {
-    int& views = entries_[number].views;
-    if (views == 0) views = add_views();
-    Range& range = views_[views][tile];
-    if (range.first == 0) range = make_view(number, tile);
+  std::span<const Cell> seen_from(int number, const EdgeCurve& curve, int tile) {
+    Entry& entry = entry_of(number, curve);
+    if (entry.views == 0) entry.views = add_views();
+    Range& range = views_[entry.views][tile];
+    if (range.first == 0) range = make_view(curve, entry, tile);
     return std::span(cells_).subspan(range.first, range.count);
   }
 
-  std::size_t memory_bytes() const { return held_bytes(index_, curves_, entries_, views_, cells_, points_); }
+  std::size_t memory_bytes() const { return held_bytes(entries_, views_, cells_, points_); }
 
  private:
   /// Sums of areas alone.
@@ -77,18 +76,20 @@ class CurveCells {
     int first = 0, count = 0;  ///< in cells_; first is 0 where the cells have not been made yet
   };
   struct Entry {
-    int first;                            ///< in cells_
+    int first = 0;                        ///< in cells_; 0 where the cells have not been made yet
     int views = 0;                        ///< in views_; 0 where there are none yet
     std::array<std::uint16_t, 4> ends{};  ///< of the rows of tiles, from first on; preceded by 0
   };
 
-  void clear();
-  void grow_index();
-  std::size_t place_of(const EdgeCurve& curve) const;
-  void make_cells(const EdgeCurve& curve);
+  Entry& entry_of(int number, const EdgeCurve& curve) {
+    Entry& entry = entries_[number];
+    if (entry.first == 0) make_cells(curve, entry);
+    return entry;
+  }
+  void make_cells(const EdgeCurve& curve, Entry& entry);
   void flatten_curve(const EdgeCurve& curve);
   int add_views();
-  Range make_view(int number, int tile);
+  Range make_view(const EdgeCurve& curve, const Entry& entry, int tile);
   void add_cell(int place, std::int32_t factor) {
     if (factor != 0) cells_.push_back({place, factor});
   }
@@ -97,10 +98,8 @@ class CurveCells {
   glm::dvec2 scale_{0};
   glm::ivec2 whole_scale_{0};
   int pitch_ = 0;
-  std::vector<int> index_;         ///< numbers, in open addressing by curve; 0 where free; a power of 2 many
-  int shift_ = 0;                  ///< from a scrambled curve to a place in index_
-  std::vector<EdgeCurve> curves_;  ///< by number, as entries_
-  std::vector<Entry> entries_;     ///< entry 0 is nobody's
+  std::uint64_t generation_ = 0;
+  std::vector<Entry> entries_;               ///< by number
   std::vector<std::array<Range, 9>> views_;  ///< by bit of a TileMask
   std::vector<Cell> cells_;
   std::vector<glm::ivec2> points_;  ///< ends of the lines of the curve in hand

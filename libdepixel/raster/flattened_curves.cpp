@@ -5,10 +5,10 @@
 namespace depixel {
 
 void FlattenedCurves::start(const SplineTable& table, const OutputGrid& grid) {
-  if (table_ != &table || generation_ != table.generation() || scale_ != grid.scale) {
+  table_ = &table;
+  if (generation_ != table.generation() || scale_ != grid.scale) {
     entries_.clear();
     points_.clear();
-    table_ = &table;
     generation_ = table.generation();
     scale_ = grid.scale;
   }

@@ -43,7 +43,7 @@ class FlattenedCurves {
   void flatten_curve(int number);
 
   const SplineTable* table_ = nullptr;
-  unsigned generation_ = 0;
+  std::uint64_t generation_ = 0;
   glm::dvec2 scale_{0};
   std::vector<Entry> entries_;  ///< by curve
   std::vector<glm::i16vec2> points_;

@@ -1,6 +1,7 @@
 #include "libdepixel/stages/spline_table.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cstring>
 #include <numeric>
@@ -92,7 +93,8 @@ int SplineTable::Index::find_or_add(std::uint64_t key, int number, IsSame is_sam
 }
 
 void SplineTable::clear() {
-  ++generation_;
+  static std::atomic<std::uint64_t> generations = 0;
+  generation_ = ++generations;
   words_.clear();
   shapes_.clear();
   numbers_.clear();

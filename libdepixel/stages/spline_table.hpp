@@ -45,8 +45,8 @@ class SplineTable {
   /// Fetches a curve that will be asked for.
   void prefetch(int number) const { __builtin_prefetch(curves_.data() + number); }
   TileMask tiles(int number) const { return tiles_[number]; }
-  /// Counts calls of clear(): numbers of other generations are of other curves.
-  unsigned generation() const { return generation_; }
+  /// Changes with clear(), and is no other table's: numbers of other generations are of other curves.
+  std::uint64_t generation() const { return generation_; }
   /// Curves held, joined ones among them.
   std::size_t size() const { return curves_.size() - 1; }
   /// Places: steps of all shapes.
@@ -90,7 +90,7 @@ class SplineTable {
   void number_equally(std::size_t first_place, std::size_t first_number);
 
   bool has_equal_numbers_;
-  unsigned generation_ = 0;
+  std::uint64_t generation_ = 0;
   std::vector<ShapeWord> words_;
   std::vector<Shape> shapes_;
   std::size_t fitted_shapes_ = 0;  ///< shapes before this one have their curves
