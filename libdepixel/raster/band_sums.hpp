@@ -18,7 +18,7 @@ namespace depixel {
 /// A line that goes down adds, to every pixel it crosses, its colour change times the area to its right
 /// inside the pixel, and to the next pixel the rest of the height it covers; a running sum along the row then
 /// gives the colours. All sums are integers. Source: font-rs.
-template <typename Model, int kRowCount = kBandRows>
+template <typename Model>
 class BandSums {
  public:
   using Sums = typename Model::Sums;
@@ -27,7 +27,7 @@ class BandSums {
   /// The sum of all sums on the left of a row.
   using Start = Sums;
 
-  static constexpr int kRows = kRowCount;
+  static constexpr int kRows = kBandRows;
 
   static Change change(Rgba from, Rgba to) { return Model::change(from, to); }
 
@@ -67,21 +67,7 @@ class BandSums {
     return start;
   }
 
-  /// Calls visit(column, sum) for the pixels of a row that were touched, and maybe for others, from left to
-  /// right, and clears them.
-  template <typename Visit>
-  void take(int row, Visit visit) {
-    Sums* sums = sums_.data() + row * stride();
-    touched_.for_each(row, width_, [&](int first) {
-      for (int x = first; x < first + kGroup; ++x) {
-        visit(x, sums[x]);
-        sums[x] = Sums{};
-      }
-    });
-    touched_.forget(row);
-  }
-
-  /// The same for a part of the row: only pixels from .. to - 1 are written.
+  /// The same, but only pixels from .. to - 1 are written.
   /// \param before  the sum of all sums left of the row.
   void resolve(int row, std::uint8_t* out, Sums before, int from, int to) {
     RowState state{sums_.data() + row * stride(), out, before, Model::decode(before), from, to};

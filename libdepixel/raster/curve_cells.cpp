@@ -1,6 +1,7 @@
 #include "libdepixel/raster/curve_cells.hpp"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <limits>
 
 #include "libdepixel/raster/flatten.hpp"
@@ -22,8 +23,9 @@ void CurveCells::start(const OutputGrid& grid, int pitch, std::uint64_t generati
     whole_scale_ = {grid.x.whole_scale(), grid.y.whole_scale()};
     pitch_ = pitch;
     generation_ = generation;
-    sums_.resize(3 * whole_scale_.x);
-    sums_.start(0, 3 * whole_scale_.y);
+    slicer_.resize(3 * whole_scale_.x);
+    slicer_.start(0, 3 * whole_scale_.y);
+    sums_.assign(std::size_t(sums_pitch()) * 3 * whole_scale_.y, 0);
     entries_.clear();
     views_.assign(1, {});
     cells_.assign(1, {});
@@ -39,25 +41,43 @@ void CurveCells::flatten_curve(const EdgeCurve& curve) {
           [&](glm::ivec2, glm::ivec2 to) { points_.push_back(to); });
 }
 
+/// Source: font-rs, as BandSums, for a colour change of 1.
+void CurveCells::add_line(glm::ivec2 a, glm::ivec2 b) {
+  slicer_.cut(a.x, a.y, b.x, b.y, [&](const LineSlicer::Slice& slice) {
+    std::int32_t* sum = sums_.data() + slice.row * sums_pitch();
+    slice.for_each_pixel([&](int column, int height, int area) {
+      sum[column] += 2 * kRasterSubpixels * height - area;
+      sum[column + 1] += area;
+    });
+  });
+}
+
 void CurveCells::make_cells(const EdgeCurve& curve, Entry& entry) {
   flatten_curve(curve);
   // The sums begin a tile north-west of the owner: curves reach no farther.
   const glm::ivec2 shift = whole_scale_ * kRasterSubpixels;
-  int low = 3 * shift.y, high = 0;
+  glm::ivec2 low = points_.front() + shift, high = low;
   for (std::size_t k = 1; k < points_.size(); ++k) {
-    const glm::ivec2 a = points_[k - 1] + shift, b = points_[k] + shift;
-    low = std::min(low, std::min(a.y, b.y));
-    high = std::max(high, std::max(a.y, b.y));
-    sums_.add_line(a.x, a.y, b.x, b.y, 1);
+    const glm::ivec2 from = points_[k - 1] + shift, to = points_[k] + shift;
+    low = glm::min(low, to);
+    high = glm::max(high, to);
+    add_line(from, to);
   }
-  const int first_row = low / kRasterSubpixels, end_row = (high + kRasterSubpixels - 1) / kRasterSubpixels;
+  const int first_row = low.y / kRasterSubpixels,
+            end_row = (high.y + kRasterSubpixels - 1) / kRasterSubpixels;
+  const int first_column = low.x / kRasterSubpixels,
+            last_column = std::min(high.x / kRasterSubpixels + 1, 3 * whole_scale_.x);
   entry.first = static_cast<int>(cells_.size());
   for (int row = 0; row < 3; ++row) {
     const int from = std::max(row * whole_scale_.y, first_row);
     const int to = std::min((row + 1) * whole_scale_.y, end_row);
     for (int y = from; y < to; ++y) {
+      std::int32_t* sum = sums_.data() + y * sums_pitch();
       const int place = (y - whole_scale_.y) * pitch_ - whole_scale_.x;
-      sums_.take(y, [&](int column, std::int32_t factor) { add_cell(place + column, factor); });
+      for (int x = first_column; x <= last_column; ++x) {
+        add_cell(place + x, sum[x]);
+        sum[x] = 0;
+      }
     }
     entry.ends[row + 1] = static_cast<std::uint16_t>(static_cast<int>(cells_.size()) - entry.first);
   }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "libdepixel/core/memory.hpp"
-#include "libdepixel/raster/band_sums.hpp"
+#include "libdepixel/raster/line_slices.hpp"
 #include "libdepixel/raster/output_grid.hpp"
 #include "libdepixel/stages/edge_curve.hpp"
 
@@ -63,15 +63,9 @@ class CurveCells {
     return std::span(cells_).subspan(range.first, range.count);
   }
 
-  std::size_t memory_bytes() const { return held_bytes(entries_, views_, cells_, points_); }
+  std::size_t memory_bytes() const { return held_bytes(entries_, views_, cells_, points_, sums_); }
 
  private:
-  /// Sums of areas alone.
-  struct Area {
-    using Sums = std::int32_t;
-    using Change = std::int32_t;
-    static Sums times(Change change, int factor) { return change * factor; }
-  };
   struct Range {
     int first = 0, count = 0;  ///< in cells_; first is 0 where the cells have not been made yet
   };
@@ -88,6 +82,8 @@ class CurveCells {
   }
   void make_cells(const EdgeCurve& curve, Entry& entry);
   void flatten_curve(const EdgeCurve& curve);
+  void add_line(glm::ivec2 a, glm::ivec2 b);
+  int sums_pitch() const { return 3 * whole_scale_.x + 2; }
   int add_views();
   Range make_view(const EdgeCurve& curve, const Entry& entry, int tile);
   void add_cell(int place, std::int32_t factor) {
@@ -103,7 +99,10 @@ class CurveCells {
   std::vector<std::array<Range, 9>> views_;  ///< by bit of a TileMask
   std::vector<Cell> cells_;
   std::vector<glm::ivec2> points_;  ///< ends of the lines of the curve in hand
-  BandSums<Area, 3 * kLargestScale> sums_;
+  LineSlicer slicer_;
+  /// What the curve in hand adds to the output pixels of the nine tiles round its owner, by row; the two last
+  /// columns are for what those before leave to the next. All 0 between curves.
+  std::vector<std::int32_t> sums_;
 };
 
 }  // namespace depixel

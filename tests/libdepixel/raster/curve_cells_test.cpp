@@ -23,13 +23,6 @@ EdgeCurve curve_near_edge() {
   return {p0, p1, p2, p3};
 }
 
-/// Areas alone, as CurveCells sums them up.
-struct Area {
-  using Sums = std::int32_t;
-  using Change = std::int32_t;
-  static Sums times(Change change, int factor) { return change * factor; }
-};
-
 RC_GTEST_PROP(CurveCells, AreWhatLinesAddAnywhere, ()) {
   const int scale_x = *random_int(1, CurveCells::kLargestScale + 1);
   const int scale_y = *random_int(1, CurveCells::kLargestScale + 1);
@@ -40,8 +33,8 @@ RC_GTEST_PROP(CurveCells, AreWhatLinesAddAnywhere, ()) {
   CurveCells cells;
   constexpr int kMostCurves = 40;
   cells.start(grid, pitch, 1, kMostCurves);
-  BandSums<Area> sums;
-  sums.resize(width);
+  LineSlicer slicer;
+  slicer.resize(width);
   std::map<int, EdgeCurve> known;
   for (int i = 0, count = *random_int(1, 80); i < count; ++i) {
     const int number = *random_int(1, kMostCurves);
@@ -50,16 +43,19 @@ RC_GTEST_PROP(CurveCells, AreWhatLinesAddAnywhere, ()) {
     const Segment s = segment_of(curve, owner, 0, false, 1);
     for (int row = -1; row <= 1; ++row) {
       const int first_px = (owner.y + row) * scale_y;
-      sums.start(first_px, scale_y);
+      slicer.start(first_px, scale_y);
+      std::map<int, std::int32_t> expected, actual;
+      const auto add_slice = [&](const LineSlicer::Slice& slice) {
+        slice.for_each_pixel([&](int column, int height, int area) {
+          const int place = (first_px + slice.row) * pitch + column;
+          expected[place] += 2 * kRasterSubpixels * height - area;
+          expected[place + 1] += area;
+        });
+      };
       flatten(grid(s.p0), grid(s.p1), grid(s.p2), grid(s.p3),
               flattening_pieces(s.p0, s.p1, s.p2, s.p3, grid.scale),
-              [&](glm::ivec2 a, glm::ivec2 b) { sums.add_line(a.x, a.y, b.x, b.y, 1); });
-      std::map<int, std::int32_t> expected, actual;
-      for (int y = 0; y < scale_y; ++y) {
-        sums.take(y, [&](int column, std::int32_t sum) {
-          if (sum != 0) expected[(first_px + y) * pitch + column] = sum;
-        });
-      }
+              [&](glm::ivec2 a, glm::ivec2 b) { slicer.cut(a.x, a.y, b.x, b.y, add_slice); });
+      std::erase_if(expected, [](const auto& cell) { return cell.second == 0; });
       const int origin = owner.y * scale_y * pitch + owner.x * scale_x;
       for (const CurveCells::Cell cell : cells.in_row(number, curve, row))
         actual[origin + cell.place] += cell.factor;
