@@ -10,15 +10,7 @@ namespace {
 
 class CpuFilter final : public FrameFilter {
  public:
-  tl::expected<void, Error> submit(const FrameView& frame, const Options& options) override {
-    auto submitted = FrameFilter::submit(frame, options);
-    if (has_pixels(frame)) changes_.add(vectorizer_.changes());
-    return submitted;
-  }
-
-  std::size_t memory_bytes() const override {
-    return FrameFilter::memory_bytes() + updater_.memory_bytes() + changes_.memory_bytes();
-  }
+  std::size_t memory_bytes() const override { return FrameFilter::memory_bytes() + updater_.memory_bytes(); }
 
  private:
   static tl::unexpected<Error> refuse_framebuffer() {
@@ -63,7 +55,6 @@ class CpuFilter final : public FrameFilter {
   }
 
   PictureUpdater updater_;
-  MapChanges changes_;  ///< since the last draw()
 };
 
 }  // namespace

@@ -26,18 +26,15 @@ bool is_upside_down(const Target& target) {
 
 }  // namespace
 
-bool FrameFilter::has_pixels(const FrameView& frame) {
-  return frame.pixels != nullptr && frame.width > 0 && frame.height > 0;
-}
-
 tl::expected<void, Error> FrameFilter::submit(const FrameView& frame, const Options& options) {
-  if (!has_pixels(frame)) {
+  if (frame.pixels == nullptr || frame.width <= 0 || frame.height <= 0) {
     return refuse("A frame without pixels cannot be drawn.");
   }
   stats_ = {};
   const Stopwatch time(stats_.submit_ns);
   options_ = options;
   vectorizer_.vectorize(frame, options);
+  changes_.add(vectorizer_.changes());
   has_frame_ = true;
   if (is_checking_) {
     Vectorizer scratch;

@@ -80,7 +80,7 @@ class FrameFilter {
 
   /// Vectorizes a frame, to be drawn from now on.
   /// \param frame  read during the call only. An empty one is an error.
-  virtual tl::expected<void, Error> submit(const FrameView& frame, const Options& options);
+  tl::expected<void, Error> submit(const FrameView& frame, const Options& options);
 
   /// Draws a view of the submitted frame over a viewport. Outside of the frame lies transparency, which is
   /// written like any colour: nothing is blended with what the target held. Colours have straight alpha. The
@@ -102,14 +102,14 @@ class FrameFilter {
   const IncrementalVectorizer& vectorizer() const { return vectorizer_; }
   const FilterStats& stats() const { return stats_; }
   /// Bytes held from frame to frame, but for OpenGL's objects.
-  virtual std::size_t memory_bytes() const { return vectorizer_.stats().memory_bytes; }
+  virtual std::size_t memory_bytes() const {
+    return vectorizer_.stats().memory_bytes + changes_.memory_bytes();
+  }
 
  protected:
   /// \param rules  all, but in tests of what is told of errors.
   explicit FrameFilter(RuleSet rules = {}) : vectorizer_(rules) {}
 
-  /// Whether submit() takes a frame.
-  static bool has_pixels(const FrameView& frame);
   /// Draws over a viewport that is inside the target. Where the frame has a margin, the view shows none of
   /// it.
   virtual tl::expected<void, Error> draw_checked(const Target& target, const Viewport& viewport,
@@ -118,6 +118,7 @@ class FrameFilter {
   virtual tl::expected<void, Error> clear(const GlFramebuffer& framebuffer, const Viewport& part) = 0;
 
   IncrementalVectorizer vectorizer_;
+  MapChanges changes_;  ///< of the map, until what draws takes them and sets them to nothing
   Options options_;
   bool is_checking_ = false;
   bool has_frame_ = false;

@@ -68,11 +68,7 @@ class GlFilter final : public FrameFilter {
     return {};
   }
 
-  tl::expected<void, Error> submit(const FrameView& frame, const Options& options) override {
-    auto submitted = FrameFilter::submit(frame, options);
-    if (has_frame_) changes_.add(vectorizer_.changes());
-    return submitted;
-  }
+  std::size_t memory_bytes() const override { return FrameFilter::memory_bytes() + updater_.memory_bytes(); }
 
   void context_lost() override {
     if (raster_) raster_->forget();
@@ -190,7 +186,7 @@ class GlFilter final : public FrameFilter {
 
   /// The rows of a picture that do not hold what they should.
   Readback::Rows rows_to_draw(const PictureView& part, const View& view, bool is_kept) const {
-    if (!is_kept || !(drawn_.part == part && drawn_.view == view)) return {0, part.height};
+    if (!is_kept || !(drawn_ == Drawn{part, view, style()})) return {0, part.height};
     if (stale_.first >= stale_.end) return {0, 0};
     const auto row = [&](int source_y) { return (source_y - view.origin_y) * view.scale_y; };
     const double first = std::floor(row(stale_.first)) - 1, end = std::ceil(row(stale_.end)) + 1;
@@ -215,7 +211,7 @@ class GlFilter final : public FrameFilter {
       gl_.Disable(GL_SCISSOR_TEST);
       if (auto taken = readback_.take(gl_, part); !taken) return taken;
     }
-    drawn_ = {part, view};
+    drawn_ = {part, view, style()};
     stale_ = kNoRows;
     return {};
   }
@@ -228,6 +224,9 @@ class GlFilter final : public FrameFilter {
   struct Drawn {
     PictureView part;
     View view;
+    GlRaster::Style style;
+
+    friend bool operator==(const Drawn&, const Drawn&) = default;
   };
 
   /// Pictures are drawn and read back in so many bands.
@@ -237,7 +236,6 @@ class GlFilter final : public FrameFilter {
   Drawn drawn_;
   Readback::Rows stale_ = kNoRows;  ///< of the source, that changed since
   LineTilesUpdater updater_;
-  MapChanges changes_;        ///< since the last update of tiles
   bool is_uploaded_ = false;  ///< the context holds all tiles, as of the last update
 };
 

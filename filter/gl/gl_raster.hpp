@@ -32,6 +32,8 @@ class GlRaster {
   /// of colours.
   struct Style {
     bool linear_light = false, is_shaded = false;
+
+    friend bool operator==(const Style&, const Style&) = default;
   };
   /// Draws a view of the tiles, whose origin is counted from the first of them, to the framebuffer that is
   /// bound for drawing.

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <string_view>
+#include <system_error>
+#include <utility>
 
 #include "filter/headless/headless_context.hpp"
 
@@ -27,7 +30,11 @@ bool is_software_renderer(GlLoader loader) {
 
 tl::expected<std::unique_ptr<GlThread>, Error> GlThread::start() {
   std::unique_ptr<GlThread> result(new GlThread);
-  result->thread_ = std::thread([thread = result.get()] { thread->live(); });
+  try {
+    result->thread_ = std::thread([thread = result.get()] { thread->live(); });
+  } catch (const std::system_error& error) {
+    return tl::unexpected(Error{std::string("There is no thread to be had: ") + error.what() + "."});
+  }
   std::unique_lock lock(result->mutex_);
   result->changed_.wait(lock, [&] { return result->has_started_; });
   if (result->error_) {
@@ -44,7 +51,7 @@ GlThread::~GlThread() {
     is_stopping_ = true;
   }
   changed_.notify_all();
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
 }
 
 void GlThread::run_job(Job job) {
@@ -53,26 +60,40 @@ void GlThread::run_job(Job job) {
   is_busy_ = true;
   changed_.notify_all();
   changed_.wait(lock, [&] { return !is_busy_; });
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
 void GlThread::live() {
+  try {
+    serve();
+  } catch (const std::exception& error) {
+    tell_started(Error{std::string("OpenGL cannot be set up: ") + error.what() + "."});
+  }
+}
+
+void GlThread::serve() {
   auto context = create_egl_context({});
-  tl::expected<std::unique_ptr<FrameFilter>, Error> filter;
-  if (context) filter = FrameFilter::gl((*context)->loader());
+  if (!context) {
+    tell_started(Error{"There is no OpenGL context to be had from EGL: " + context.error().message + "."});
+    return;
+  }
+  const auto filter = FrameFilter::gl((*context)->loader());  // dropped before its context
+  if (!filter) {
+    tell_started(filter.error());
+    return;
+  }
+  is_software_ = is_software_renderer((*context)->loader());
+  tell_started({});
+  take_jobs(**filter);
+}
+
+void GlThread::tell_started(std::optional<Error> error) {
   {
     const std::lock_guard lock(mutex_);
-    if (!context) {
-      error_ = Error{"There is no OpenGL context to be had from EGL: " + context.error().message + "."};
-    } else if (!filter) {
-      error_ = filter.error();
-    } else {
-      is_software_ = is_software_renderer((*context)->loader());
-    }
+    error_ = std::move(error);
     has_started_ = true;
   }
   changed_.notify_all();
-  if (context && filter) take_jobs(**filter);
-  filter = tl::unexpected(Error{});  // before its context
 }
 
 void GlThread::take_jobs(FrameFilter& filter) {
@@ -82,8 +103,14 @@ void GlThread::take_jobs(FrameFilter& filter) {
     if (is_stopping_) return;
     const Job job = job_;
     lock.unlock();
-    job.call(job.work, filter);
+    std::exception_ptr failure;
+    try {
+      job.call(job.work, filter);
+    } catch (...) {
+      failure = std::current_exception();
+    }
     lock.lock();
+    failure_ = failure;
     is_busy_ = false;
     changed_.notify_all();
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -88,14 +89,14 @@ inline std::array<std::int32_t, 2> nearest_integers(Double2 v) {
 /// Four integers that are worked on together.
 using Int4 = std::int32_t __attribute__((vector_size(16)));
 
-/// Four integers of 0..255 as bytes, the first lowest in memory.
+/// Four integers as bytes, the first lowest in memory; those beyond 0..255 become the nearest of these.
 inline std::uint32_t pack_bytes(Int4 v) {
 #ifdef __SSE2__
   const auto words = _mm_packs_epi32(reinterpret_cast<__m128i>(v), reinterpret_cast<__m128i>(v));
   return static_cast<std::uint32_t>(_mm_cvtsi128_si32(_mm_packus_epi16(words, words)));
 #else
-  const std::uint8_t bytes[4] = {static_cast<std::uint8_t>(v[0]), static_cast<std::uint8_t>(v[1]),
-                                 static_cast<std::uint8_t>(v[2]), static_cast<std::uint8_t>(v[3])};
+  const auto byte = [](std::int32_t value) { return static_cast<std::uint8_t>(std::clamp(value, 0, 255)); };
+  const std::uint8_t bytes[4] = {byte(v[0]), byte(v[1]), byte(v[2]), byte(v[3])};
   return load_vector<std::uint32_t>(bytes);
 #endif
 }

@@ -1,6 +1,8 @@
 #include "libdepixel/core/workers.hpp"
 
 #include <algorithm>
+#include <system_error>
+#include <utility>
 
 namespace depixel {
 namespace {
@@ -23,7 +25,12 @@ void Workers::set_threads(int threads) {
 }
 
 void Workers::start() {
-  for (int thread = 1; thread < threads_; ++thread) helpers_.emplace_back([this, thread] { help(thread); });
+  helpers_.reserve(threads_ - 1);
+  try {
+    for (int thread = 1; thread < threads_; ++thread) helpers_.emplace_back([this, thread] { help(thread); });
+  } catch (const std::system_error&) {
+    // There are no more threads to be had.
+  }
 }
 
 void Workers::stop() {
@@ -54,6 +61,11 @@ void Workers::run_job(int parts, Job job) {
   }
   job_given_.notify_all();
   take_parts(0);
+  wait_for_helpers();
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+}
+
+void Workers::wait_for_helpers() {
   for (int asked = 0; asked < kAskingTimes; ++asked) {
     if (busy_ == 0) return;
     std::this_thread::yield();
@@ -63,7 +75,13 @@ void Workers::run_job(int parts, Job job) {
 }
 
 void Workers::take_parts(int thread) {
-  for (int part = next_++; part < parts_; part = next_++) job_.call(job_.work, part, thread);
+  try {
+    for (int part = next_++; part < parts_; part = next_++) job_.call(job_.work, part, thread);
+  } catch (...) {
+    const std::lock_guard lock(mutex_);
+    if (!failure_) failure_ = std::current_exception();
+    next_ = parts_;
+  }
 }
 
 void Workers::help(int thread) {

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
+#include <exception>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -22,7 +23,9 @@ class Workers {
   int threads() const { return threads_; }
 
   /// Calls work(part, thread) for parts 0 .. parts - 1, each once, in any order, on threads 0 .. threads() -
-  /// 1 at once; returns when all are done. What the parts write must not overlap.
+  /// 1 at once; returns when all are done. What the parts write must not overlap. Where the system gives
+  /// fewer threads, those do it. What a part throws is thrown by this call, when no part runs any more; some
+  /// may not have been called then.
   template <typename Work>
   void run(int parts, const Work& work) {
     run_job(parts, {&work, [](const void* w, int part, int thread) {
@@ -41,6 +44,7 @@ class Workers {
   void start();
   void stop();
   void help(int thread);
+  void wait_for_helpers();
   void take_parts(int thread);
 
   int threads_ = 1;
@@ -53,6 +57,7 @@ class Workers {
   Job job_;
   std::atomic<int> next_ = 0;  ///< part to be taken next
   int parts_ = 0;
+  std::exception_ptr failure_;  ///< the first that a part threw; guarded by the mutex
 };
 
 }  // namespace depixel

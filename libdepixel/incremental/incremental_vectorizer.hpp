@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "libdepixel/incremental/block_moves.hpp"
@@ -28,7 +27,7 @@ class IncrementalVectorizer {
   /// \param input  a frame of at least 1x1 pixels; read during the call only.
   void vectorize(const FrameView& input, const Options& options);
   /// Forgets the frames before: the next one is vectorized from scratch.
-  void reset() { options_.reset(); }
+  void reset() { is_good_ = false; }
 
   /// Where the map differs from that of the call before.
   const MapChanges& changes() const { return changes_; }
@@ -71,7 +70,8 @@ class IncrementalVectorizer {
   std::size_t memory_bytes() const;
 
   RuleSet rules_;
-  std::optional<Options> options_;  ///< of the frame before; none at first
+  Options options_;       ///< of the frame before
+  bool is_good_ = false;  ///< there was one, and nothing interrupted its work
   Workers workers_;
 
   DitherUpdater dithers_;

@@ -41,11 +41,6 @@ void unite(const std::uint8_t* from, int count, std::uint8_t* to) {
 
 }  // namespace
 
-bool PictureUpdater::Drawn::operator==(const Drawn& other) const {
-  return target == other.target && view == other.view && lattice == other.lattice &&
-         linear_light == other.linear_light && opaque == other.opaque;
-}
-
 void PictureUpdater::draw(const IncrementalVectorizer& source, const MapChanges& changes, const View& view,
                           bool linear_light, int threads, const PictureView& target, bool is_kept) {
   drawn_pixels_ = moved_pixels_ = 0;
@@ -58,25 +53,37 @@ void PictureUpdater::draw(const IncrementalVectorizer& source, const MapChanges&
   const Drawn now{target, view, source.lattice(), linear_light, opaque};
   const bool is_update =
       is_kept && now == drawn_ && !changes.everything && view.scale_x >= 1 && view.scale_y >= 1;
-  drawn_ = now;
-  if (!is_update) {
+  if (is_update && !changes.any()) return;
+  drawn_ = {};  // until all is drawn
+  if (is_update) {
+    update(source, changes, grid, now, threads);
+  } else {
     raster_.draw(source.by_edge(), view, linear_light, threads, target);
     drawn_pixels_ = std::int64_t{target.width} * target.height;
-    return;
   }
-  if (!changes.any()) return;
+  drawn_ = now;
+}
+
+void PictureUpdater::update(const IncrementalVectorizer& source, const MapChanges& changes,
+                            const OutputGrid& grid, const Drawn& now, int threads) {
+  if (is_updating_) {  // the last update failed, and parts of it are in these
+    painter_ = {};
+    sums_ = {};
+  }
+  is_updating_ = true;
   workers_.set_threads(threads);
-  const std::vector<Rgba>& colours = colours_.of(source.colours(), target.order);
+  const std::vector<Rgba>& colours = colours_.of(source.colours(), grid.target.order);
   moved_pixels_ = mover_.move(grid, changes, is_stale_);
   if (source.shading().any)
-    field_.start(source.shading(), colours, shades_.of(source.shading().shades, target.order), grid);
-  if (opaque) {
-    linear_light ? draw_stale<OpaqueLight>(source, colours, grid)
-                 : draw_stale<OpaqueColour>(source, colours, grid);
+    field_.start(source.shading(), colours, shades_.of(source.shading().shades, grid.target.order), grid);
+  if (now.opaque) {
+    now.linear_light ? draw_stale<OpaqueLight>(source, colours, grid)
+                     : draw_stale<OpaqueColour>(source, colours, grid);
   } else {
-    linear_light ? draw_stale<Translucent<true>>(source, colours, grid)
-                 : draw_stale<Translucent<false>>(source, colours, grid);
+    now.linear_light ? draw_stale<Translucent<true>>(source, colours, grid)
+                     : draw_stale<Translucent<false>>(source, colours, grid);
   }
+  is_updating_ = false;
 }
 
 void PictureUpdater::find_strips(const OutputGrid& grid) {

@@ -42,7 +42,7 @@ class PictureUpdater {
     Lattice lattice;
     bool linear_light = false, opaque = false;
 
-    bool operator==(const Drawn& other) const;
+    friend bool operator==(const Drawn&, const Drawn&) = default;
   };
   /// Tiles that are drawn together, in some rows.
   struct Window {
@@ -66,6 +66,8 @@ class PictureUpdater {
   void draw_stale(const IncrementalVectorizer& source, const std::vector<Rgba>& colours,
                   const OutputGrid& grid);
   void leave_shaded(const IncrementalVectorizer& source);
+  void update(const IncrementalVectorizer& source, const MapChanges& changes, const OutputGrid& grid,
+              const Drawn& now, int threads);
   void find_strips(const OutputGrid& grid);
   void find_windows(const IncrementalVectorizer& source, const OutputGrid& grid, const Strip& strip,
                     Scratch& scratch) const;
@@ -93,6 +95,7 @@ class PictureUpdater {
   OrderedColours colours_, shades_;
   ShadeField field_;
   std::int64_t drawn_pixels_ = 0, moved_pixels_ = 0;
+  bool is_updating_ = false;
 };
 
 }  // namespace depixel

@@ -156,6 +156,8 @@ void CpuRaster::draw_bands(const Map& map, const std::vector<Rgba>& colours, con
 
 template <typename Map>
 void CpuRaster::draw_by_model(const Map& map, const OutputGrid& grid, bool linear_light) {
+  if (is_drawing_) sums_ = {};  // the last picture failed, and a part of it is in them
+  is_drawing_ = true;
   const std::vector<Rgba>& colours = colours_.of(map.colours, grid.target.order);
   if (map.shading.any)
     field_.start(map.shading, colours, shades_.of(map.shading.shades, grid.target.order), grid);
@@ -165,6 +167,7 @@ void CpuRaster::draw_by_model(const Map& map, const OutputGrid& grid, bool linea
     linear_light ? draw_bands<Translucent<true>>(map, colours, grid)
                  : draw_bands<Translucent<false>>(map, colours, grid);
   }
+  is_drawing_ = false;
 }
 
 void CpuRaster::draw(const MapByEdge& map, const View& view, bool linear_light, int threads,

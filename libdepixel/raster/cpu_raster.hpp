@@ -74,6 +74,7 @@ class CpuRaster {
   OrderedColours colours_, shades_;
   ShadeField field_;
   SumsOfModels sums_;
+  bool is_drawing_ = false;
 };
 
 }  // namespace depixel

@@ -16,7 +16,7 @@ namespace depixel {
 class ToOutput {
  public:
   ToOutput(double scale, double origin)
-      : factor_(std::llround(scale * kRasterSubpixels / kSubpixels * kOne)),
+      : factor_(std::max(std::llround(scale * kRasterSubpixels / kSubpixels * kOne), 1LL)),
         offset_(std::llround(-origin * scale * kRasterSubpixels) * kOne + kOne / 2) {}
   int operator()(int subpixels) const { return static_cast<int>((subpixels * factor_ + offset_) >> kBits); }
 
@@ -27,9 +27,8 @@ class ToOutput {
   }
   /// The first of the source's subpixels that is mapped to a subpixel of the output, or beyond it.
   std::int64_t first_at(int output_subpixels) const {
-    const std::int64_t wanted = output_subpixels * kOne - offset_,
-                       factor = std::max<std::int64_t>(factor_, 1);
-    return wanted / factor + (wanted % factor > 0 ? 1 : 0);
+    const std::int64_t wanted = output_subpixels * kOne - offset_;
+    return wanted / factor_ + (wanted % factor_ > 0 ? 1 : 0);
   }
 
   /// Output pixels to a source pixel if these are whole and begin on whole output pixels, else 0: then all
@@ -44,7 +43,8 @@ class ToOutput {
  private:
   static constexpr int kBits = 28;
   static constexpr std::int64_t kOne = std::int64_t{1} << kBits;
-  std::int64_t factor_, offset_;
+  std::int64_t factor_;  ///< at least 1, of whatever scale
+  std::int64_t offset_;
 };
 
 /// A view of a frame on a target: where the source's points come to lie, in output subpixels.

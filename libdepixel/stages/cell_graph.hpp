@@ -69,9 +69,9 @@ struct CellGraph {
   /// Makes room for another size of picture; where it stays, so does all that the arrays hold.
   void resize(const Lattice& size) {
     if (lattice == size && !corners.empty()) return;
-    lattice = size;
     corners.assign(size.size(), CornerCode{});
     colours.assign(size.size(), Rgba{});
+    lattice = size;
   }
   std::size_t memory_bytes() const { return held_bytes(corners, colours); }
 };

@@ -122,12 +122,12 @@ class Mixer {
 }  // namespace
 
 void Dithers::resize(const Lattice& size) {
-  lattice = size;
   pixels.assign(size.size(), Rgba{});
   blended.assign(size.size(), Rgba{});
   for (BitRows* bits : {&checkers, &areas, &scratch[0], &scratch[1]}) {
     bits->reset(size.width() - 1, size.height() - 1);
   }
+  lattice = size;
 }
 
 FrameView Dithers::view() const {

@@ -42,9 +42,9 @@ struct SimilarityGraph {
   /// Makes room for another size of picture; where it stays, so does all that the arrays hold.
   void resize(const Lattice& size) {
     if (lattice == size) return;
-    lattice = size;
     pixels.assign(size.size(), Rgba{});
     links.assign(size.size(), 0);
+    lattice = size;
   }
   std::size_t memory_bytes() const { return held_bytes(pixels, links); }
 };

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdlib>
+#include <limits>
 #include <new>
 
 #include "libdepixel/incremental/line_tiles_updater.hpp"
@@ -13,15 +14,21 @@
 namespace {
 
 std::atomic<long> allocations{0};
+/// From this one on, allocations fail.
+std::atomic<long> first_refused{std::numeric_limits<long>::max()};
+
+void count_allocation() {
+  if (++allocations >= first_refused) throw std::bad_alloc();
+}
 
 void* allocate(std::size_t size) {
-  ++allocations;
+  count_allocation();
   if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
   throw std::bad_alloc();
 }
 
 void* allocate_aligned(std::size_t size, std::align_val_t alignment) {
-  ++allocations;
+  count_allocation();
   const auto unit = static_cast<std::size_t>(alignment);
   if (void* p = std::aligned_alloc(unit, (size + unit - 1) / unit * unit)) return p;
   throw std::bad_alloc();
@@ -164,6 +171,66 @@ TEST(Allocation, NoneAnUpdateOfTilesWhenWarm) {
     partial += updater.is_all_new() ? 0 : 1;
   }
   EXPECT_GT(partial, (kFrames - kWarm) / 2);
+}
+
+/// Calls work(), in which all allocations but the first few fail. \return whether it ended well.
+template <typename Work>
+bool ends_well_with(long few, Work&& work) {
+  first_refused = allocations + few + 1;
+  bool is_done = false;
+  try {
+    work();
+    is_done = true;
+  } catch (const std::bad_alloc&) {
+    is_done = false;
+  }
+  first_refused = std::numeric_limits<long>::max();
+  return is_done;
+}
+
+TEST_P(Allocation, AFailedOneLeavesNoTrace) {
+  const Options& options = GetParam();
+  const Picture first = frames()[0];
+  Picture larger(first.width + 30, first.height + 20, palette_colour('b'));
+  paste(larger, frames()[1], 20, 10);
+  Picture changed = larger;
+  paste(changed, Picture(7, 5, palette_colour('y')), 60, 30);
+  for (const double scale : {3.0, 4.0}) {
+    const View view{scale, scale, 0, 0};
+    const auto picture_of_size = [&] {
+      return Picture(int(scale) * larger.width, int(scale) * larger.height);
+    };
+    Picture expected = picture_of_size(), out = expected;
+    const auto expect_as_from_scratch = [&](const Picture& frame) {
+      Vectorizer scratch;
+      CpuRaster().draw(scratch.vectorize(frame.view(), options), view, options.linear_light, 1,
+                       expected.target());
+      EXPECT_TRUE(out == expected);
+    };
+    bool is_done = false;
+    for (long few = 0; !is_done; few += 1 + few / 8) {
+      IncrementalVectorizer vectorizer;
+      PictureUpdater updater;
+      MapChanges changes;
+      const auto show = [&](const Picture& frame) {
+        vectorizer.vectorize(frame.view(), options);
+        changes.add(vectorizer.changes());
+        updater.draw(vectorizer, changes, view, options.linear_light, 1, out.target(), true);
+        changes.set_nothing();
+      };
+      show(first);
+      is_done = ends_well_with(few, [&] {
+        show(larger);
+        show(changed);
+        show(larger);
+      });
+      show(changed);
+      expect_as_from_scratch(changed);
+      show(larger);
+      expect_as_from_scratch(larger);
+      ASSERT_FALSE(HasFailure()) << "after " << few << " allocations";
+    }
+  }
 }
 
 std::vector<Options> exact_options() {

@@ -344,12 +344,6 @@ TEST(GlFilter, IsIdleWhereNothingChanged) {
   EXPECT_GT(filter->stats().upload_bytes, 0u);
 }
 
-TEST(CpuFilter, DrawsToPicturesOnly) {
-  const auto filter = FrameFilter::cpu();
-  ASSERT_TRUE(filter->submit(ascii_picture({"#.", ".#"}).view(), {}));
-  EXPECT_FALSE(filter->draw(GlFramebuffer{0}, {0, 0, 8, 8}, {4, 4, 0, 0}));
-}
-
 /// A landscape in which nothing comes twice, seen from a column.
 Picture hills(int from) {
   Picture picture(96, 48);
@@ -361,6 +355,54 @@ Picture hills(int from) {
     }
   }
   return picture;
+}
+
+/// What a filter draws to a picture that it is told is kept, against what one draws that knows nothing
+/// before.
+void expect_kept_is_as_fresh(const GlContext& context, FrameFilter& filter, const Picture& frame,
+                             const Options& options, Picture& kept) {
+  constexpr View kView{4, 4, 0, 0};
+  const Viewport all{0, 0, kept.width, kept.height};
+  ASSERT_TRUE(filter.draw(KeptPicture{kept.target()}, all, kView));
+  const auto fresh = gl_filter(context);
+  ASSERT_TRUE(fresh->submit(frame.view(), options));
+  Picture expected(kept.width, kept.height);
+  ASSERT_TRUE(fresh->draw(expected.target(), all, kView));
+  EXPECT_TRUE(kept == expected);
+}
+
+TEST(GlFilter, ARefusedFrameLeavesNoTrace) {
+  const GlContext context;
+  const auto filter = gl_filter(context);
+  Picture kept(4 * 96, 4 * 48);
+  for (const int from : {0, 1}) {
+    ASSERT_TRUE(filter->submit(hills(from).view(), {}));
+    expect_kept_is_as_fresh(context, *filter, hills(from), {}, kept);
+  }
+  EXPECT_FALSE(filter->submit({}, {}));
+  expect_kept_is_as_fresh(context, *filter, hills(1), {}, kept);
+}
+
+TEST(GlFilter, KeptPicturesTakeOnAnotherLight) {
+  const GlContext context;
+  Options options;
+  options.similarity = Similarity::merge;
+  for (const ShadingKind shading : {ShadingKind::none, ShadingKind::gradient}) {
+    options.shading = shading;
+    const auto filter = gl_filter(context);
+    Picture kept(4 * 96, 4 * 48);
+    for (const bool linear_light : {false, true, false}) {
+      options.linear_light = linear_light;
+      ASSERT_TRUE(filter->submit(hills(0).view(), options));
+      expect_kept_is_as_fresh(context, *filter, hills(0), options, kept);
+    }
+  }
+}
+
+TEST(CpuFilter, DrawsToPicturesOnly) {
+  const auto filter = FrameFilter::cpu();
+  ASSERT_TRUE(filter->submit(ascii_picture({"#.", ".#"}).view(), {}));
+  EXPECT_FALSE(filter->draw(GlFramebuffer{0}, {0, 0, 8, 8}, {4, 4, 0, 0}));
 }
 
 /// What a filter draws to a picture that it is told is kept.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <new>
 #include <thread>
 
 #include "tests/filter/gl_fixture.hpp"
@@ -31,6 +32,15 @@ TEST(GlThread, DrawsForAnyThreadAndLeavesItsContextAlone) {
   EXPECT_EQ(first, second);
   EXPECT_EQ(first.at(0, 0), (Rgba{0, 0, 0, 255}));
   EXPECT_NE(hosts.gl.GetString(GL_VERSION), nullptr);
+}
+
+TEST(GlThread, ThrowsWhatWorkThrew) {
+  auto gl = GlThread::start();
+  ASSERT_TRUE(gl) << gl.error().message;
+  EXPECT_THROW((*gl)->run([](FrameFilter&) { throw std::bad_alloc(); }), std::bad_alloc);
+  bool is_run = false;
+  (*gl)->run([&](FrameFilter&) { is_run = true; });
+  EXPECT_TRUE(is_run);
 }
 
 TEST(GlThread, StartsAndEndsManyTimes) {

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <stdexcept>
 
 namespace depixel::test {
 namespace {
@@ -66,6 +67,43 @@ TEST(Workers, WorkAtOnce) {
     if (arrived < 2) met = false;
   });
   EXPECT_TRUE(met);
+}
+
+TEST(Workers, WaitForAHelperThatTakesLong) {
+  for (int round = 0; round < 20; ++round) {
+    Workers workers;
+    workers.set_threads(3);
+    std::atomic<int> arrived{0}, done{0};
+    workers.run(3, [&](int, int thread) {
+      ++arrived;
+      while (arrived < 3) std::this_thread::yield();  // so that each takes one part
+      if (thread != 0) std::this_thread::sleep_for(std::chrono::milliseconds(3));
+      ++done;
+    });
+    EXPECT_EQ(done, 3);
+  }
+}
+
+TEST(Workers, ThrowWhatAPartThrew) {
+  for (const int threads : {1, 2, 4}) {
+    Workers workers;
+    workers.set_threads(threads);
+    for (int thrower = 0; thrower < threads; ++thrower) {
+      std::atomic<int> arrived{0}, running{0};
+      const auto work = [&](int, int thread) {
+        ++running;
+        ++arrived;
+        while (arrived < threads) std::this_thread::yield();
+        --running;
+        if (thread == thrower) throw std::runtime_error("a part failed");
+      };
+      EXPECT_THROW(workers.run(threads, work), std::runtime_error);
+      EXPECT_EQ(running, 0);
+      std::atomic<int> sum{0};
+      workers.run(10, [&](int part, int) { sum += part; });
+      EXPECT_EQ(sum, 45);
+    }
+  }
 }
 
 TEST(Workers, NumbersOfThreadsCanChangeBetweenJobs) {
