@@ -27,7 +27,7 @@ struct SequenceTiming {
   Samples compare;              ///< memcmp() with the frame before
   std::vector<bool> is_repeat;  ///< of each frame but the first: it is, pixel by pixel, the one before
   std::vector<SoftFilterTiming> softfilters;  ///< each at its own scale
-  double bytes_per_pixel = 0;  ///< most that the incremental vectorizer held, to a source pixel
+  double bytes_per_pixel = 0;  ///< most that the filter held from frame to frame, to a source pixel
 };
 
 /// Plays a sequence several times, each time with a new filter for the incremental path. All take turns, a

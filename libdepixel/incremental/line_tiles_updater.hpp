@@ -19,7 +19,8 @@ namespace depixel {
 class LineTilesUpdater {
  public:
   /// \param changes  all since the last call.
-  /// Where scale or encoding are others than in the last call, or most tiles changed, all tiles are cut.
+  /// Where scale or encoding are others than in the last call, or more than a third of the tiles changed, all
+  /// are cut.
   void update(const IncrementalVectorizer& source, const MapChanges& changes, glm::dvec2 scale,
               TileEncoding encoding);
 

@@ -16,7 +16,7 @@ struct MapChanges {
 
   bool everything = true;  ///< all is new, or nothing is known of the map before; tiles mean nothing
   int new_tiles = 0, moved_tiles = 0;
-  std::vector<std::uint8_t> tiles;  ///< padded, by pixel; in the padding, kSame or kNew
+  std::vector<std::uint8_t> tiles;  ///< padded, by pixel; in the padding, kSame
   std::vector<glm::ivec2> moves;    ///< source pixels
 
   bool any() const { return everything || new_tiles != 0 || moved_tiles != 0; }

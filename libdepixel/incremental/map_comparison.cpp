@@ -203,12 +203,13 @@ void MapComparison::count(const Lattice& lattice, MapChanges& changes) {
 /// Tiles that differ are new.
 void MapComparison::take_new(const Lattice& lattice, std::vector<std::uint8_t>& tiles) const {
   for (int y = 0; y < lattice.height(); ++y) {
-    const int first = lattice.pixel(0, y);
-    for (int x = first; x < first + lattice.width(); x += sizeof(Byte16)) {  // may write into the padding
+    const int first = lattice.pixel(0, y), end = first + lattice.width();
+    for (int x = first; x < end; x += sizeof(Byte16)) {
       const auto differs = load_vector<Byte16>(differs_.data() + x) != 0;
       const auto tile = load_vector<Byte16>(tiles.data() + x);
       store_vector(tiles.data() + x, differs ? Byte16{} + MapChanges::kNew : tile);
     }
+    std::fill_n(tiles.begin() + end, sizeof(Byte16) - 1, MapChanges::kSame);  // what of that was padding
   }
 }
 

@@ -17,10 +17,10 @@ void MoveVotes::start_frame() {
   votes_.clear();
 }
 
-void MoveVotes::make_room(int curve) {
-  const std::size_t wanted = static_cast<std::size_t>(curve) + 1;
-  if (wanted > places_.capacity()) places_.reserve(wanted + wanted / 4);
-  places_.resize(wanted);
+void MoveVotes::make_room(int place) {
+  const std::size_t wanted = static_cast<std::size_t>(place) + 1;
+  if (wanted > seen_.capacity()) seen_.reserve(wanted + wanted / 4);
+  seen_.resize(wanted);
 }
 
 void MoveVotes::vote(int before, int now, int nodes, const Lattice& lattice) {

@@ -290,9 +290,11 @@ void PictureUpdater::draw_strips(const IncrementalVectorizer& source, const std:
 
 std::size_t PictureUpdater::memory_bytes() const {
   std::size_t bytes = raster_.memory_bytes() + mover_.memory_bytes() + painter_.memory_bytes() +
-                      held_bytes(is_stale_, is_even_stale_, strips_) + colours_.memory_bytes() +
-                      shades_.memory_bytes() + field_.memory_bytes();
-  for (const Scratch& own : scratch_) bytes += own.flattened.memory_bytes();
+                      held_bytes(is_stale_, is_even_stale_, strips_, scratch_) + colours_.memory_bytes() +
+                      shades_.memory_bytes() + field_.memory_bytes() + depixel::memory_bytes(sums_);
+  for (const Scratch& own : scratch_) {
+    bytes += own.flattened.memory_bytes() + held_bytes(own.stale, own.occupied, own.windows);
+  }
   return bytes;
 }
 

@@ -16,10 +16,10 @@ namespace depixel {
 /// Keeps a picture of what an IncrementalVectorizer made of frame after frame: the same pixels as
 /// CpuRaster's, bit for bit, but only those are written whose tiles changed.
 ///
-/// What moved is copied. The rest is drawn by TilePainter, at even whole scales; at others, in windows of
-/// some rows of tiles. Beside a window lies a *clear* tile, whose four corners no visible edge touches: no
-/// curve lies in it, so the sum of all that lies left of it is that tile's own colour, and nothing on its
-/// other side need be looked at.
+/// What moved is copied. The rest is drawn by TilePainter, at even whole scales from 4 to 16; at others, in
+/// windows of some rows of tiles. Beside a window lies a *clear* tile, whose four corners no visible edge
+/// touches: no curve lies in it, so the sum of all that lies left of it is that tile's own colour, and
+/// nothing on its other side need be looked at.
 class PictureUpdater {
  public:
   /// Draws a view over the whole target.

@@ -7,8 +7,10 @@
 namespace depixel {
 
 /// What a change of the frame makes stale, rule by rule; all that follows from pixels and is kept from frame
-/// to frame is named here, with what it was computed from. DitherUpdater, IncrementalGraph and
-/// IncrementalVectorizer have a function for each rule.
+/// to frame is named here, with what it was computed from. What obeys a rule names it: DitherUpdater those
+/// of dithers, IncrementalGraph and StaleCrossings those of links and crossings, IncrementalVectorizer those
+/// of codes and marks and, for contours along seams and marks, those of curves, IncrementalEdges the others
+/// of edges, curves and joints, MapComparison those of tiles.
 ///
 /// Blocks of 8x8 pixels move, each by the move that explains it best, and all that is known with them. A seam
 /// is where two blocks meet that did not move alike, or a block that moved and the frame's border: what is

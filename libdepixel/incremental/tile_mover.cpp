@@ -108,34 +108,37 @@ std::int64_t TileMover::move(const OutputGrid& grid, const MapChanges& changes,
       for (int row = 0; row < scale_y; ++row, to += pitch) visit(to, to + back, bytes);
     }
   };
-  // One move is done in place, the first and largest; the pixels of the others are held until it is done.
-  std::int64_t tiles = 0;
-  std::size_t held_tiles = 0;
+  // The largest move is done in place; the pixels of the others are held until it is done.
+  std::size_t tiles = 0, most = 0, largest = 0;
   for (std::size_t move = 0; move < changes.moves.size(); ++move) {
     std::size_t own = 0;
     for (const Run& run : runs_[move]) own += run.to - run.from;
-    tiles += static_cast<std::int64_t>(own);
-    if (move != 0) held_tiles += own;
+    tiles += own;
+    if (own <= most) continue;
+    most = own;
+    largest = move;
   }
+  const std::size_t held_tiles = tiles - most;
+  const auto for_each_held_row = [&](auto visit) {
+    for (std::size_t move = 0; move < changes.moves.size(); ++move) {
+      if (move != largest) for_each_row(move, visit);
+    }
+  };
   held_.resize(std::max(held_.size(), held_tiles * scale_x * scale_y * kPixel));
   std::uint8_t* held = held_.data();
-  for (std::size_t move = 1; move < changes.moves.size(); ++move) {
-    for_each_row(move, [&](std::uint8_t*, const std::uint8_t* from, std::size_t bytes) {
-      std::memcpy(held, from, bytes);
-      held += bytes;
-    });
-  }
-  for_each_row(0, [](std::uint8_t* to, const std::uint8_t* from, std::size_t bytes) {
+  for_each_held_row([&](std::uint8_t*, const std::uint8_t* from, std::size_t bytes) {
+    std::memcpy(held, from, bytes);
+    held += bytes;
+  });
+  for_each_row(largest, [](std::uint8_t* to, const std::uint8_t* from, std::size_t bytes) {
     std::memmove(to, from, bytes);
   });
   held = held_.data();
-  for (std::size_t move = 1; move < changes.moves.size(); ++move) {
-    for_each_row(move, [&](std::uint8_t* to, const std::uint8_t*, std::size_t bytes) {
-      std::memcpy(to, held, bytes);
-      held += bytes;
-    });
-  }
-  return tiles * scale_x * scale_y;
+  for_each_held_row([&](std::uint8_t* to, const std::uint8_t*, std::size_t bytes) {
+    std::memcpy(to, held, bytes);
+    held += bytes;
+  });
+  return static_cast<std::int64_t>(tiles) * scale_x * scale_y;
 }
 
 std::size_t TileMover::memory_bytes() const {

@@ -11,7 +11,8 @@
 
 namespace depixel {
 
-/// Draws some tiles of a picture, at even whole scales: the same pixels as CpuRaster's, bit for bit.
+/// Draws some tiles of a picture, at even whole scales from 4 to 16: the same pixels as CpuRaster's, bit for
+/// bit.
 ///
 /// Tiles of a row that follow each other are drawn together. The tile on their west is known to have its own
 /// colour at its centre, so nothing that lies west of there need be looked at.

@@ -92,6 +92,8 @@ class BandSums {
     fill(state, to);
   }
 
+  std::size_t memory_bytes() const { return held_bytes(sums_) + touched_.memory_bytes(); }
+
  private:
   static constexpr int kGroup = TouchedGroups::kGroup;
 

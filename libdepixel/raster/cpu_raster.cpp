@@ -127,9 +127,12 @@ void CpuRaster::draw_band(const Map& map, const std::vector<Rgba>& colours, cons
   // The border: on the left, the picture begins; on the right, it ends.
   const int west = grid.column(0), east = grid.column(lattice.width());
   const int top = first_row * kRasterSubpixels, bottom = top + rows * kRasterSubpixels;
-  for (int y = 0; y < lattice.height(); ++y) {
+  const auto row_at = [&](int output) {
+    return static_cast<int>(
+        std::clamp<std::int64_t>(grid.y.source(output) / kSubpixels, 0, lattice.height()));
+  };
+  for (int y = row_at(top), end = std::min(row_at(bottom) + 1, lattice.height()); y < end; ++y) {
     const int y0 = grid.row(y), y1 = grid.row(y + 1);
-    if (y1 <= top || y0 >= bottom) continue;
     sums.add_line(west, y0, west, y1, Sums::change(Rgba{}, colours[lattice.pixel(0, y)]));
     sums.add_line(east, y0, east, y1, Sums::change(colours[lattice.pixel(lattice.width() - 1, y)], Rgba{}));
   }
@@ -186,9 +189,19 @@ void CpuRaster::draw(const PlanarMap& map, const View& view, bool linear_light, 
   draw_by_model(map, grid, linear_light);
 }
 
+std::size_t memory_bytes(const SumsOfModels& sums) {
+  std::size_t bytes = 0;
+  const auto add = [&](const auto& of_threads) {
+    bytes += held_bytes(of_threads);
+    for (const auto& own : of_threads) bytes += own.memory_bytes();
+  };
+  std::apply([&](const auto&... of_model) { (add(of_model), ...); }, sums);
+  return bytes;
+}
+
 std::size_t CpuRaster::memory_bytes() const {
   return held_bytes(ranges_, order_, first_, next_) + colours_.memory_bytes() + shades_.memory_bytes() +
-         field_.memory_bytes();
+         field_.memory_bytes() + depixel::memory_bytes(sums_);
 }
 
 }  // namespace depixel

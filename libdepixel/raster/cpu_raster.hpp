@@ -19,12 +19,17 @@ template <typename Model>
 struct RasterSums {
   BandSums<Model> even;
   RegionSums<Model> shaded;
+
+  std::size_t memory_bytes() const { return even.memory_bytes() + shaded.memory_bytes(); }
 };
 
 /// Sums for each way to blend, one a thread.
 using SumsOfModels =
     std::tuple<std::vector<RasterSums<OpaqueColour>>, std::vector<RasterSums<OpaqueLight>>,
                std::vector<RasterSums<Translucent<false>>>, std::vector<RasterSums<Translucent<true>>>>;
+
+/// Bytes that they hold.
+std::size_t memory_bytes(const SumsOfModels& sums);
 
 /// Draws planar maps with exact box-filter anti-aliasing; where they are shaded, each region counts with the
 /// colour that it has at the centre of the output pixel. Sums are integers, so the result is bit-identical

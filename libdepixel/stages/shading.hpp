@@ -62,7 +62,8 @@ struct Shading {
 
   ShadingKind kind = ShadingKind::none;  ///< as asked for; pixels do not depend on it, vector files do
   bool any = false;                      ///< some block is shaded
-  std::vector<Rgba> shades;  ///< padded, by pixel: its colour at its centre; empty where nothing is shaded
+  std::vector<Rgba>
+      shades;  ///< padded, by pixel: its colour at its centre; empty where the options have no shading
   std::vector<std::uint8_t>
       blocks;  ///< padded, by block: kShaded and its pairs, or 0: all regions have their colour
 

@@ -214,6 +214,20 @@ TEST(IncrementalVectorizer, ASmallChangeTracesALittle) {
   EXPECT_LT(stats.changed_tiles, 64);
 }
 
+TEST(IncrementalVectorizer, TilesBeyondTheFrameAreTheSame) {
+  Picture picture(21, 6, palette_colour('.'));
+  IncrementalVectorizer vectorizer;
+  vectorizer.vectorize(picture.view(), {});
+  paste(picture, Picture(4, 2, palette_colour('r')), 17, 2);  // edges end at the border
+  vectorizer.vectorize(picture.view(), {});
+  const MapChanges& changes = vectorizer.changes();
+  ASSERT_FALSE(changes.everything);
+  EXPECT_GT(changes.new_tiles, 0);
+  const auto unlike = std::count_if(changes.tiles.begin(), changes.tiles.end(),
+                                    [](std::uint8_t tile) { return tile != MapChanges::kSame; });
+  EXPECT_EQ(unlike, changes.new_tiles + changes.moved_tiles);
+}
+
 TEST(IncrementalVectorizer, OtherOptionsMakeAllNew) {
   Both both;
   ASSERT_EQ(both.mismatch({varied_picture(), {}}), "");
