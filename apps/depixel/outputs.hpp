@@ -6,9 +6,9 @@
 #include <span>
 #include <string>
 #include <tl/expected.hpp>
-#include <utility>
 #include <vector>
 
+#include "apps/common/input_guard.hpp"
 #include "apps/depixel/command_line.hpp"
 #include "libdepixel/core/error.hpp"
 
@@ -32,15 +32,13 @@ class Outputs {
 
  private:
   enum class Place { file, folder, standard_output };
-  using FileId = std::pair<std::uint64_t, std::uint64_t>;  ///< device and inode
 
   std::filesystem::path path_for(const std::string& name) const;
-  tl::expected<void, Error> refuse_input(const std::filesystem::path& path) const;
 
   Place place_ = Place::file;
   Format format_ = Format::png;
   std::filesystem::path out_;
-  std::set<FileId> inputs_;
+  InputGuard guard_;
   std::set<std::filesystem::path> written_;
 };
 

@@ -168,6 +168,12 @@ TEST_F(Files, AnInputIsNeverOverwritten) {
   EXPECT_EQ(read_text(other), blue_);
 }
 
+TEST_F(Files, AnInputThatIsRedirectedIsNeverOverwritten) {
+  const std::string in = write("in.png", red_);
+  expect_failure(run_program("sh", {"-c", "exec \"$1\" - -o \"$2\" <\"$2\"", "sh", DEPIXEL_PROGRAM, in}));
+  EXPECT_EQ(read_text(in), red_);
+}
+
 TEST_F(Files, TwoInputsNeverGoToOneFile) {
   fs::create_directory(folder_ / "a");
   fs::create_directory(folder_ / "b");

@@ -22,6 +22,13 @@ Ended run_player(std::vector<std::string> arguments, std::string_view standard_i
   return run_program(DEPIXEL_XVFB_RUN, arguments, standard_input);
 }
 
+/// Runs the player where no window can be opened: what is told before comes at once.
+Ended run_without_display(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(),
+                   {"-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", DEPIXEL_PLAYER, "--no-config"});
+  return run_program("env", arguments);
+}
+
 /// Runs the player whose filter makes an error.
 Ended run_player_with_fault(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {"-a", "-s", kServer, DEPIXEL_PLAYER_WITH_FAULT, "--no-config"});
@@ -278,6 +285,25 @@ TEST(Player, WritesNothingOver) {
   EXPECT_EQ(folder.names("0_depixel"), (std::vector<std::string>{"0.png", "0_2.png"}));
 }
 
+TEST(Player, NeverSavesOverAnInput) {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder;
+  const std::string clip = folder / "clip", in = clip + "/0.png", other = clip + "/1.png";
+  fs::create_directory(clip);
+  for (const std::string& file : {in, other}) write_text(file, png_of(sample_picture(8, 8)));
+  fs::create_symlink("clip/0.png", folder / "symbolic.png");
+  fs::create_hard_link(in, folder / "hard.png");
+  struct Case {
+    std::string input, screenshot;
+  };
+  for (const Case& c : {Case{in, in}, Case{in, clip + "/./0.png"}, Case{in, folder / "symbolic.png"},
+                        Case{in, folder / "hard.png"}, Case{clip, other}, Case{clip + "/%d.png", other}}) {
+    const Ended ended = run_without_display({c.input, "--frames", "1", "--screenshot", c.screenshot});
+    EXPECT_EQ(ended.exit_code, 1);
+    EXPECT_EQ(ended.err, "depixel-player: " + c.screenshot + " is an input and is not overwritten.\n");
+  }
+}
+
 TEST(Player, SaysWhatIsWrongInOneSentence) {
   const TemporaryFolder folder;
   write_text(folder / "bad.png", "no picture");
@@ -291,12 +317,7 @@ TEST(Player, SaysWhatIsWrongInOneSentence) {
   EXPECT_EQ(cut.exit_code, 1);
   EXPECT_TRUE(cut.is_one_sentence(kName)) << cut.err;
 
-  const Ended usage = run_player({"--no-such-flag"});
-  EXPECT_EQ(usage.exit_code, 2);
-  EXPECT_TRUE(usage.is_one_sentence(kName)) << usage.err;
-
-  const Ended no_display = run_program(
-      "env", {"-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", DEPIXEL_PLAYER, "--no-config", folder / "good.png"});
+  const Ended no_display = run_without_display({folder / "good.png"});
   EXPECT_EQ(no_display.exit_code, 1);
   EXPECT_TRUE(no_display.is_one_sentence(kName)) << no_display.err;
 
