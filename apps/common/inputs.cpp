@@ -11,6 +11,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "apps/common/files.hpp"
 #include "apps/common/natural_order.hpp"
 
 namespace depixel {
@@ -22,10 +23,7 @@ using Files = std::vector<fs::path>;
 
 bool has_picture_ending(const fs::path& path) {
   constexpr std::array<std::string_view, 6> kEndings{".png", ".bmp", ".jpg", ".jpeg", ".gif", ".y4m"};
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+  return std::find(kEndings.begin(), kEndings.end(), lower_ending(path)) != kEndings.end();
 }
 
 /// A name with a number in it, as printf writes it with %d or %0Nd.

@@ -15,8 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 
 std::optional<Format> format_by_ending(const fs::path& path) {
-  if (path.extension() == ".svg") return Format::svg;
-  if (path.extension() == ".png") return Format::png;
+  const std::string ending = lower_ending(path);
+  if (ending == ".svg") return Format::svg;
+  if (ending == ".png") return Format::png;
   return std::nullopt;
 }
 
@@ -24,8 +25,10 @@ std::string_view ending(Format format) {
   return format == Format::svg ? ".svg" : ".png";
 }
 
-bool is_gif(const fs::path& path) {
-  return path.extension() == ".gif" || path.extension() == ".GIF";
+/// Whether the file may hold several frames, which are then numbered.
+bool may_be_animated(const fs::path& path) {
+  const std::string ending = lower_ending(path);
+  return ending == ".gif" || ending == ".y4m";
 }
 
 }  // namespace
@@ -67,7 +70,7 @@ tl::expected<void, Error> Outputs::prepare(const std::vector<fs::path>& inputs) 
 
   std::set<fs::path> planned;
   for (const fs::path& input : inputs) {
-    if (is_gif(input)) continue;
+    if (may_be_animated(input)) continue;
     const fs::path path = path_for(output_name(input));
     if (!planned.insert(path).second) {
       return tl::unexpected(Error{fmt::format("Two inputs would both be written to {}.", path.string())});

@@ -24,7 +24,7 @@ class Outputs {
   bool to_standard_output() const { return place_ == Place::standard_output; }
 
   /// Makes the folder, if there is to be one, and refuses names that would collide, as far as they are known
-  /// before the inputs are read (the frames of animated GIFs are not).
+  /// before the inputs are read (the frames of GIFs and streams are not).
   tl::expected<void, Error> prepare(const std::vector<std::filesystem::path>& inputs);
 
   /// Writes the picture of the frame of that name.
