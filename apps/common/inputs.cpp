@@ -78,7 +78,7 @@ tl::expected<Files, Error> find_in_folder(const fs::path& folder) {
   auto files = list_folder(folder, has_picture_ending);
   if (files && files->empty()) {
     return tl::unexpected(
-        Error{fmt::format("{} holds no pictures: no .png, .bmp, .jpg or .gif.", folder.string())});
+        Error{fmt::format("{} holds no pictures: no .png, .bmp, .jpg, .gif or .y4m.", folder.string())});
   }
   return files;
 }
@@ -97,6 +97,7 @@ tl::expected<Files, Error> find_numbered(const fs::path& pattern, const Numbered
 tl::expected<Inputs, Error> find_inputs(const std::vector<std::string>& arguments) {
   Inputs inputs;
   for (const fs::path argument : arguments) {
+    if (argument.empty()) return tl::unexpected(Error{"An input's name is empty."});
     std::error_code ignored;
     const bool folder = fs::is_directory(argument, ignored);
     const auto numbered =

@@ -95,6 +95,12 @@ TEST_F(CommandLine, RefusesOptionsOutOfRange) {
   }
 }
 
+TEST_F(CommandLine, SaysThatCountsAreWhole) {
+  const Ended run = run_depixel({in_, "-o", out_, "--threads", "0.5"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("\"0.5\" is not a whole number from 1 to "), std::string::npos) << run.err;
+}
+
 TEST_F(CommandLine, RefusesWrongUsage) {
   const std::vector<std::vector<std::string>> wrong{
       {},

@@ -219,7 +219,16 @@ TEST_F(Files, ABrokenFrameStopsASequenceWithItsName) {
   EXPECT_EQ(folder_.names("out"), Names{"1.png"});
 }
 
+TEST_F(Files, SaysWhatCanBeRead) {
+  EXPECT_NE(run_depixel({"-", "-o", "-"}, "text").err.find("PNG, BMP, JPEG, GIF or Y4M."), std::string::npos);
+  const Ended folder = run_depixel({folder_.path().string(), "-o", folder_ / "out"});
+  EXPECT_NE(folder.err.find("no .png, .bmp, .jpg, .gif or .y4m."), std::string::npos) << folder.err;
+}
+
 TEST_F(Files, MissingAndEmptyInputsFail) {
+  const Ended nameless = run_depixel({"", "-o", folder_ / "out.png"});
+  expect_failure(nameless);
+  EXPECT_EQ(nameless.err, "depixel: An input's name is empty.\n");
   expect_failure(run_depixel({folder_ / "missing.png", "-o", folder_ / "out.png"}));
   expect_failure(run_depixel({folder_.path().string(), "-o", folder_ / "out"}));
   expect_failure(run_depixel({"-", "-o", "-"}));
