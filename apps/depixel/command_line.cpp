@@ -45,7 +45,7 @@ void add_svg_tolerance_flag(CLI::App& app, Arguments& arguments) {
   app.add_option_function<std::string>(
          flag, parse, "How far an SVG's curves may stray, in input pixels, to make it smaller; 0: not at all")
       ->default_str(fmt::format("{}", kSvgTolerance))
-      ->type_name("NUMBER");
+      ->type_name(range_name(0, kMaxSvgTolerance));
 }
 
 void add_output_flags(CLI::App& app, Arguments& arguments) {

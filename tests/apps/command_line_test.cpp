@@ -157,6 +157,15 @@ TEST_F(CommandLine, HelpNamesEveryFlag) {
   }
 }
 
+TEST_F(CommandLine, HelpTellsTheRangesOfNumbers) {
+  const std::string help = run_depixel({"--help"}).out;
+  for (const char* flag :
+       {"sides from 1 to 16384", "above 0 and up to 16384", "--svg-tolerance 0..0.5=", "--merge-luma 0..255=",
+        "--curve-weight 0..1000=", "--soft-contours 0..100=", "--threads 1..256="}) {
+    EXPECT_NE(help.find(flag), std::string::npos) << flag;
+  }
+}
+
 TEST_F(CommandLine, TellsItsVersion) {
   const Ended run = run_depixel({"--version"});
   EXPECT_EQ(run.exit_code, 0);
