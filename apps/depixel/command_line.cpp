@@ -85,7 +85,8 @@ void add_report_flags(CLI::App& app, Arguments& arguments) {
     if (form != "table" && form != "json") throw CLI::ValidationError("only =json may follow");
     arguments.stats = form == "json" ? StatsForm::json : StatsForm::table;
   });
-  app.add_flag("--quiet", arguments.quiet, "No progress and no reports, only errors");
+  app.add_flag("--quiet", arguments.quiet,
+               "No progress and no report of --verify, only errors and what --stats asks for");
 }
 
 }  // namespace

@@ -249,6 +249,15 @@ TEST_F(CommandLine, TellsStatsAsATable) {
   }
 }
 
+TEST_F(CommandLine, TellsStatsThatAreAskedForThoughQuiet) {
+  const Ended run = run_depixel({in_, "-o", out_, "--verify", "--quiet", "--stats"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_NE(run.err.find("blocks recomputed"), std::string::npos) << run.err;
+  EXPECT_EQ(run.err.find("kept the colour"), std::string::npos) << run.err;
+  const std::string help = run_depixel({"--help"}).out;
+  EXPECT_NE(help.find("only errors and what --stats asks for"), std::string::npos) << help;
+}
+
 TEST_F(CommandLine, TellsStatsAsJson) {
   const Ended run = run_depixel({in_, "--stats=json", "-o", out_});
   EXPECT_EQ(run.exit_code, 0);
