@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -302,6 +303,30 @@ TEST(Player, NeverSavesOverAnInput) {
     EXPECT_EQ(ended.exit_code, 1);
     EXPECT_EQ(ended.err, "depixel-player: " + c.screenshot + " is an input and is not overwritten.\n");
   }
+}
+
+TEST(Player, RefusesWrongUsage) {
+  const std::vector<std::vector<std::string>> wrong{
+      {"--no-such-flag"},
+      {"--frames", "0"},
+      {"--frames", "0.5"},
+      {"--frames", "1", "--screenshot", ""},
+      {"--frames", "1", "--screenshot", "-"},
+      {"--frames", "1", "--screenshot", "shot"},
+      {"--frames", "1", "--screenshot", "shot.jpg"},
+      {"--frames", "1", "--screenshot", "folder/.png"},
+      {"--size", "1x1"},
+      {"--size", "400x63"},
+      {"--size", "16385x400"},
+  };
+  for (const auto& arguments : wrong) {
+    const Ended ended = run_without_display(arguments);
+    EXPECT_EQ(ended.exit_code, 2) << fmt::format("{}", fmt::join(arguments, " "));
+    EXPECT_TRUE(ended.is_one_sentence(kName)) << ended.err;
+  }
+  const Ended right =
+      run_without_display({"in.png", "--size", "64x64", "--frames", "1", "--screenshot", "A.Png"});
+  EXPECT_EQ(right.exit_code, 1) << "but for the display: " << right.err;
 }
 
 TEST(Player, SaysWhatIsWrongInOneSentence) {
