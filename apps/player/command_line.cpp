@@ -25,7 +25,8 @@ std::string ends_in_png(const std::string& name) {
 }
 
 void add_test_flags(CLI::App& app, PlayerArguments& arguments) {
-  auto* frames = app.add_option("--frames", arguments.frames, "Show so many frames, each once, and exit")
+  auto* frames = app.add_option("--frames", arguments.frames,
+                                "Show so many frames, each once, and exit; settings are not saved")
                      ->type_name("COUNT")
                      ->check(CLI::Range(1, 1'000'000));
   app.add_option("--screenshot", arguments.screenshot, "Then save what the window shows, as PNG")

@@ -200,6 +200,10 @@ int play(const PlayerArguments& arguments, Settings settings,
   }
   if (auto done = Session(arguments, **window, player).run(); !done) return fail(done.error());
   if (arguments.print_stats) print_stats(player);
+  if (arguments.frames > 0) {
+    if (player.damage()) return fail(*player.damage());
+    return kExitDone;  // nothing is remembered
+  }
   if (config) {
     player.settings.window = (*window)->geometry();
     if (auto saved = save_settings(player.settings, *config); !saved) return fail(saved.error());

@@ -159,8 +159,9 @@ TEST(Player, RemembersOptionsUnlessTheyAreDamaged) {
   write_text(folder / "in.png", png_of(sample_picture(20, 15)));
   const Ended ended = run_script(
       "export XDG_CONFIG_HOME=$PWD/config; see='in.png --hide-ui --size 400x300 --frames 1 --screenshot'; "
-      "$player $see default.png; $player $see none.png --smoothing none; $player $see again.png; echo '{ "
-      "damaged' > config/depixel/player.json; $player $see damaged.png 2>said.txt",
+      "$player $see default.png; $player $see none.png --smoothing none; start in.png --smoothing none; "
+      "xdotool key q; wait; $player $see again.png; echo '{ damaged' > config/depixel/player.json; "
+      "$player $see damaged.png 2>said.txt",
       folder.path().string());
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
   const auto shown = [&](const std::string& name) { return decoded(read_text(folder / name)); };
@@ -169,6 +170,22 @@ TEST(Player, RemembersOptionsUnlessTheyAreDamaged) {
   EXPECT_TRUE(equal(shown("damaged.png"), shown("default.png")));
   const Ended said{0, "", read_text(folder / "said.txt")};
   EXPECT_TRUE(said.is_one_sentence(kName)) << said.err;
+}
+
+TEST(Player, LeavesTheSettingsAloneWhereFramesAreCounted) {
+  const TemporaryFolder folder;
+  write_text(folder / "in.png", png_of(sample_picture(20, 15)));
+  std::filesystem::create_directories(folder / "config/depixel");
+  const std::string settings = R"({"options": {"smoothing": "average"}})";
+  write_text(folder / "config/depixel/player.json", settings);
+  const Ended ended = run_script(
+      "counted='in.png --size 400x300 --threads 2 --frames 1'; XDG_CONFIG_HOME=$PWD/config $player $counted; "
+      "XDG_CONFIG_HOME=$PWD/none $player $counted",
+      folder.path().string());
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(read_text(folder / "config/depixel/player.json"), settings);
+  EXPECT_EQ(folder.names("config/depixel"), std::vector<std::string>{"player.json"});
+  EXPECT_FALSE(std::filesystem::exists(folder / "none"));
 }
 
 TEST(Player, WritesVectorPicturesAndSequences) {
@@ -327,6 +344,26 @@ TEST(Player, RefusesWrongUsage) {
   const Ended right =
       run_without_display({"in.png", "--size", "64x64", "--frames", "1", "--screenshot", "A.Png"});
   EXPECT_EQ(right.exit_code, 1) << "but for the display: " << right.err;
+}
+
+TEST(Player, GoesOnBehindADamagedFrameAndTellsOfItAtTheEnd) {
+  const TemporaryFolder folder;
+  const Rgba last{20, 30, 60, 255};
+  std::filesystem::create_directory(folder / "clip");
+  write_text(folder / "clip/0.png", png_of(sample_picture(8, 8)));
+  write_text(folder / "clip/1.png", "no picture");
+  write_text(folder / "clip/2.png", png_of(plain_picture(8, 8, last)));
+  for (const char* frames : {"3", "6"}) {  // once, and round again
+    const Ended ended = run_player({folder / "clip", "--size", "320x320", "--hide-ui", "--frames", frames,
+                                    "--stats", "--screenshot", folder / "shot.png"});
+    EXPECT_EQ(ended.exit_code, 1);
+    EXPECT_TRUE(ended.is_one_sentence(kName)) << ended.err;
+    EXPECT_NE(ended.err.find("1.png is not a picture"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.out.find("\"counts\""), std::string::npos) << ended.out;
+    const Picture shown = decoded(read_text(folder / "shot.png"));
+    ASSERT_EQ(shown.width(), 320);
+    EXPECT_EQ(pixel(shown, 160, 160), last);
+  }
 }
 
 TEST(Player, SaysWhatIsWrongInOneSentence) {
