@@ -39,14 +39,18 @@ struct Setter {
     options.*option.value = text == "true";
     return {};
   }
-  Result operator()(const NumberOption& option) const { return set_number(option, parse_number(text)); }
-  Result operator()(const CountOption& option) const { return set_number(option, parse_count(text)); }
+  Result operator()(const NumberOption& option) const {
+    return set_number(option, parse_number(text), "number");
+  }
+  Result operator()(const CountOption& option) const {
+    return set_number(option, parse_count(text), "whole number");
+  }
 
   template <typename Option, typename Value>
-  Result set_number(const Option& option, Value value) const {
+  Result set_number(const Option& option, Value value, std::string_view kind) const {
     if (!value || *value < option.minimum || *value > option.maximum) {
       return tl::unexpected(
-          Error{fmt::format("\"{}\" is not a number from {} to {}", text, option.minimum, option.maximum)});
+          Error{fmt::format("\"{}\" is not a {} from {} to {}", text, kind, option.minimum, option.maximum)});
     }
     options.*option.value = *value;
     return {};

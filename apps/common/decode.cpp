@@ -36,8 +36,8 @@ tl::expected<Picture, Error> decode_still(Bytes file) {
     case PictureKind::jpeg:
       return decode_jpeg(file);
     default:
-      return tl::unexpected(
-          Error{file.empty() ? "is empty." : "is not a picture that can be read: PNG, BMP, JPEG or GIF."});
+      return tl::unexpected(Error{
+          file.empty() ? "is empty." : "is not a picture that can be read: PNG, BMP, JPEG, GIF or Y4M."});
   }
 }
 

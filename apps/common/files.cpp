@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <string>
 #include <system_error>
@@ -133,6 +134,13 @@ tl::expected<void, Error> write_standard_output(std::span<const std::uint8_t> by
   const int error = write_all(STDOUT_FILENO, bytes);
   if (error == 0) return {};
   return tl::unexpected(Error{fmt::format("Standard output cannot be written: {}.", reason(error))});
+}
+
+std::string lower_ending(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return ending;
 }
 
 tl::unexpected<Error> about_file(const fs::path& path, const Error& error) {

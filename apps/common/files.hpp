@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <tl/expected.hpp>
 #include <vector>
@@ -37,6 +38,9 @@ tl::expected<void, Error> write_file(const std::filesystem::path& path, std::spa
 
 /// Writes to standard output.
 tl::expected<void, Error> write_standard_output(std::span<const std::uint8_t> bytes);
+
+/// A name's ending with its dot, in small letters; empty if it has none.
+std::string lower_ending(const std::filesystem::path& path);
 
 /// Completes a decoder's sentence with the name of the file at its beginning.
 tl::unexpected<Error> about_file(const std::filesystem::path& path, const Error& error);

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "apps/common/files.hpp"
 #include "apps/common/natural_order.hpp"
 
 namespace depixel {
@@ -22,10 +23,7 @@ using Files = std::vector<fs::path>;
 
 bool has_picture_ending(const fs::path& path) {
   constexpr std::array<std::string_view, 6> kEndings{".png", ".bmp", ".jpg", ".jpeg", ".gif", ".y4m"};
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+  return std::find(kEndings.begin(), kEndings.end(), lower_ending(path)) != kEndings.end();
 }
 
 /// A name with a number in it, as printf writes it with %d or %0Nd.
@@ -80,7 +78,7 @@ tl::expected<Files, Error> find_in_folder(const fs::path& folder) {
   auto files = list_folder(folder, has_picture_ending);
   if (files && files->empty()) {
     return tl::unexpected(
-        Error{fmt::format("{} holds no pictures: no .png, .bmp, .jpg or .gif.", folder.string())});
+        Error{fmt::format("{} holds no pictures: no .png, .bmp, .jpg, .gif or .y4m.", folder.string())});
   }
   return files;
 }
@@ -99,6 +97,7 @@ tl::expected<Files, Error> find_numbered(const fs::path& pattern, const Numbered
 tl::expected<Inputs, Error> find_inputs(const std::vector<std::string>& arguments) {
   Inputs inputs;
   for (const fs::path argument : arguments) {
+    if (argument.empty()) return tl::unexpected(Error{"An input's name is empty."});
     std::error_code ignored;
     const bool folder = fs::is_directory(argument, ignored);
     const auto numbered =

@@ -38,9 +38,12 @@ CLI::Option* add_choice_flag(CLI::App& app, const std::string& flag, const std::
 CLI::Option* add_scale_flag(CLI::App& app, const std::string& flag, std::optional<double>& into,
                             const std::string& help);
 
-/// Adds a flag that takes a size such as 1280x960, with sides from 1 to kMaxSide.
+/// Adds a flag that takes a size such as 1280x960, with sides from min_side to kMaxSide.
 /// \param into  is written to by parsing and must outlive the app.
 CLI::Option* add_size_flag(CLI::App& app, const std::string& flag, std::optional<OutputSize>& into,
-                           const std::string& help);
+                           const std::string& help, int min_side = 1);
+
+/// How the help writes the range of a flag's number: "0..255".
+std::string range_name(double minimum, double maximum);
 
 }  // namespace depixel

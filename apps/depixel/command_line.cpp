@@ -45,7 +45,7 @@ void add_svg_tolerance_flag(CLI::App& app, Arguments& arguments) {
   app.add_option_function<std::string>(
          flag, parse, "How far an SVG's curves may stray, in input pixels, to make it smaller; 0: not at all")
       ->default_str(fmt::format("{}", kSvgTolerance))
-      ->type_name("NUMBER");
+      ->type_name(range_name(0, kMaxSvgTolerance));
 }
 
 void add_output_flags(CLI::App& app, Arguments& arguments) {
@@ -85,7 +85,8 @@ void add_report_flags(CLI::App& app, Arguments& arguments) {
     if (form != "table" && form != "json") throw CLI::ValidationError("only =json may follow");
     arguments.stats = form == "json" ? StatsForm::json : StatsForm::table;
   });
-  app.add_flag("--quiet", arguments.quiet, "No progress and no reports, only errors");
+  app.add_flag("--quiet", arguments.quiet,
+               "No progress and no report of --verify, only errors and what --stats asks for");
 }
 
 }  // namespace

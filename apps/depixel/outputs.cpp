@@ -1,7 +1,6 @@
 #include "apps/depixel/outputs.hpp"
 
 #include <fmt/core.h>
-#include <sys/stat.h>
 
 #include <optional>
 #include <string_view>
@@ -15,15 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<std::pair<std::uint64_t, std::uint64_t>> file_id(const fs::path& path) {
-  struct stat info {};
-  if (::stat(path.c_str(), &info) != 0) return std::nullopt;
-  return std::pair<std::uint64_t, std::uint64_t>(info.st_dev, info.st_ino);
-}
-
 std::optional<Format> format_by_ending(const fs::path& path) {
-  if (path.extension() == ".svg") return Format::svg;
-  if (path.extension() == ".png") return Format::png;
+  const std::string ending = lower_ending(path);
+  if (ending == ".svg") return Format::svg;
+  if (ending == ".png") return Format::png;
   return std::nullopt;
 }
 
@@ -31,8 +25,10 @@ std::string_view ending(Format format) {
   return format == Format::svg ? ".svg" : ".png";
 }
 
-bool is_gif(const fs::path& path) {
-  return path.extension() == ".gif" || path.extension() == ".GIF";
+/// Whether the file may hold several frames, which are then numbered.
+bool may_be_animated(const fs::path& path) {
+  const std::string ending = lower_ending(path);
+  return ending == ".gif" || ending == ".y4m";
 }
 
 }  // namespace
@@ -69,19 +65,17 @@ tl::expected<Outputs, Error> Outputs::plan(const Arguments& arguments, bool sequ
 }
 
 tl::expected<void, Error> Outputs::prepare(const std::vector<fs::path>& inputs) {
-  for (const fs::path& input : inputs) {
-    if (const auto id = file_id(input); id && input != "-") inputs_.insert(*id);
-  }
+  guard_ = InputGuard(inputs);
   if (place_ == Place::standard_output) return {};
 
   std::set<fs::path> planned;
   for (const fs::path& input : inputs) {
-    if (is_gif(input)) continue;
+    if (may_be_animated(input)) continue;
     const fs::path path = path_for(output_name(input));
     if (!planned.insert(path).second) {
       return tl::unexpected(Error{fmt::format("Two inputs would both be written to {}.", path.string())});
     }
-    if (auto allowed = refuse_input(path); !allowed) return allowed;
+    if (auto allowed = guard_.allows(path); !allowed) return allowed;
   }
   if (place_ != Place::folder) return {};
   std::error_code error;
@@ -94,7 +88,7 @@ tl::expected<void, Error> Outputs::prepare(const std::vector<fs::path>& inputs) 
 tl::expected<void, Error> Outputs::write(const std::string& name, std::span<const std::uint8_t> file) {
   if (place_ == Place::standard_output) return write_standard_output(file);
   const fs::path path = path_for(name);
-  if (auto allowed = refuse_input(path); !allowed) return allowed;
+  if (auto allowed = guard_.allows(path); !allowed) return allowed;
   if (!written_.insert(path).second) {
     return tl::unexpected(Error{fmt::format("Two inputs would both be written to {}.", path.string())});
   }
@@ -103,12 +97,6 @@ tl::expected<void, Error> Outputs::write(const std::string& name, std::span<cons
 
 fs::path Outputs::path_for(const std::string& name) const {
   return place_ == Place::folder ? out_ / (name + std::string(ending(format_))) : out_;
-}
-
-tl::expected<void, Error> Outputs::refuse_input(const fs::path& path) const {
-  const auto id = file_id(path);
-  if (!id || !inputs_.contains(*id)) return {};
-  return tl::unexpected(Error{fmt::format("{} is an input and is not overwritten.", path.string())});
 }
 
 }  // namespace depixel

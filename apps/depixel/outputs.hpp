@@ -6,9 +6,9 @@
 #include <span>
 #include <string>
 #include <tl/expected.hpp>
-#include <utility>
 #include <vector>
 
+#include "apps/common/input_guard.hpp"
 #include "apps/depixel/command_line.hpp"
 #include "libdepixel/core/error.hpp"
 
@@ -24,7 +24,7 @@ class Outputs {
   bool to_standard_output() const { return place_ == Place::standard_output; }
 
   /// Makes the folder, if there is to be one, and refuses names that would collide, as far as they are known
-  /// before the inputs are read (the frames of animated GIFs are not).
+  /// before the inputs are read (the frames of GIFs and streams are not).
   tl::expected<void, Error> prepare(const std::vector<std::filesystem::path>& inputs);
 
   /// Writes the picture of the frame of that name.
@@ -32,15 +32,13 @@ class Outputs {
 
  private:
   enum class Place { file, folder, standard_output };
-  using FileId = std::pair<std::uint64_t, std::uint64_t>;  ///< device and inode
 
   std::filesystem::path path_for(const std::string& name) const;
-  tl::expected<void, Error> refuse_input(const std::filesystem::path& path) const;
 
   Place place_ = Place::file;
   Format format_ = Format::png;
   std::filesystem::path out_;
-  std::set<FileId> inputs_;
+  InputGuard guard_;
   std::set<std::filesystem::path> written_;
 };
 

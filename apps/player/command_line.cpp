@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "apps/common/exit_codes.hpp"
+#include "apps/common/files.hpp"
 
 namespace depixel {
 namespace {
@@ -18,12 +19,19 @@ constexpr std::string_view kFooter =
     "Press ? in the window for all keys. Drop files on the window to open them.\n"
     "Exit codes: 0 done, 1 failed, 2 wrong usage.";
 
+/// \return what is wrong with the name; empty if nothing is.
+std::string ends_in_png(const std::string& name) {
+  return lower_ending(name) == ".png" ? "" : fmt::format("\"{}\" does not end in .png", name);
+}
+
 void add_test_flags(CLI::App& app, PlayerArguments& arguments) {
-  auto* frames = app.add_option("--frames", arguments.frames, "Show so many frames, each once, and exit")
+  auto* frames = app.add_option("--frames", arguments.frames,
+                                "Show so many frames, each once, and exit; settings are not saved")
                      ->type_name("COUNT")
                      ->check(CLI::Range(1, 1'000'000));
   app.add_option("--screenshot", arguments.screenshot, "Then save what the window shows, as PNG")
       ->type_name("FILE")
+      ->check(ends_in_png)
       ->needs(frames);
   app.add_flag("--hide-ui", arguments.hide_ui, "Nothing but the picture in the window");
   app.add_flag("--no-config", arguments.no_config, "Neither use nor save settings");
@@ -49,7 +57,7 @@ std::variant<PlayerArguments, int> parse_player_command_line(int argc, char** ar
       ->type_name("");
   add_scale_flag(app, "-s,--scale", arguments.scale,
                  "Output pixels to an input pixel; as large as fits unless given");
-  add_size_flag(app, "--size", arguments.window_size, "Size of the window");
+  add_size_flag(app, "--size", arguments.window_size, "Size of the window", kMinWindowSide);
   add_choice_flag(app, "--stage", "Show a step on the way instead of the result", stage_view_names(),
                   [&](int index) { arguments.stage = static_cast<StageView>(index); });
   add_option_flags(app, options);

@@ -13,6 +13,8 @@
 #include "apps/common/encode_png.hpp"
 #include "apps/common/exit_codes.hpp"
 #include "apps/common/files.hpp"
+#include "apps/common/input_guard.hpp"
+#include "apps/common/inputs.hpp"
 #include "apps/player/command_line.hpp"
 #include "apps/player/key_bindings.hpp"
 #include "apps/player/panels.hpp"
@@ -169,8 +171,17 @@ void print_stats(const Player& player) {
       json_members(player.canvas().counts()));
 }
 
+/// Refuses a screenshot that would replace an input.
+tl::expected<void, Error> check_screenshot(const PlayerArguments& arguments) {
+  if (arguments.screenshot.empty()) return {};
+  const auto inputs = find_inputs(arguments.inputs);
+  if (!inputs) return tl::unexpected(inputs.error());
+  return InputGuard(inputs->files).allows(arguments.screenshot);
+}
+
 int play(const PlayerArguments& arguments, Settings settings,
          const std::optional<std::filesystem::path>& config) {
+  if (const auto allowed = check_screenshot(arguments); !allowed) return fail(allowed.error());
   if (arguments.window_size) {
     settings.window.width = arguments.window_size->width;
     settings.window.height = arguments.window_size->height;
@@ -189,6 +200,10 @@ int play(const PlayerArguments& arguments, Settings settings,
   }
   if (auto done = Session(arguments, **window, player).run(); !done) return fail(done.error());
   if (arguments.print_stats) print_stats(player);
+  if (arguments.frames > 0) {
+    if (player.damage()) return fail(*player.damage());
+    return kExitDone;  // nothing is remembered
+  }
   if (config) {
     player.settings.window = (*window)->geometry();
     if (auto saved = save_settings(player.settings, *config); !saved) return fail(saved.error());

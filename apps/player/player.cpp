@@ -122,6 +122,7 @@ void Player::take_frame() {
   frame_index_ = index;
   if (!frame) {
     say(frame.error().message);
+    if (!damage_) damage_ = frame.error();
     playback_.pause();
     if (!frame_) failure_ = frame.error();
     return;

@@ -44,6 +44,8 @@ class Player {
   void check_incremental(bool wanted);
   /// What was found so, first.
   const std::optional<Error>& difference() const { return difference_; }
+  /// What is wrong with the first frame that could not be shown, if there was one since start.
+  const std::optional<Error>& damage() const { return damage_; }
   /// Why there is not a single frame to show, if that is so.
   const std::optional<Error>& failure() const { return failure_; }
 
@@ -107,7 +109,7 @@ class Player {
   int frame_index_ = -1;
   std::uint64_t serial_ = 0;
   ComponentFinder components_;
-  std::optional<Error> failure_;
+  std::optional<Error> failure_, damage_;
   bool is_checking_ = false;
   std::optional<Error> difference_;
   std::optional<std::uint64_t> differing_serial_;

@@ -21,7 +21,6 @@ using Names = std::span<const std::string_view>;
 
 constexpr std::array<std::string_view, 3> kAspectNames{"square", "8:7", "4:3"};
 constexpr std::array<std::string_view, 2> kRawNames{"nearest", "bilinear"};
-constexpr int kMinWindowSide = 64;
 constexpr double kMinSpeed = 1.0 / 64, kMaxSpeed = 64;
 
 /// Writes values to an object; Reader has the same functions, so that one list of fields serves both.
@@ -33,8 +32,8 @@ struct Writer {
     object[std::string(name)] = value;
   }
   template <typename Number>
-  void number(std::string_view name, const Number& number, Number, Number) {
-    value(name, number);
+  void number(std::string_view name, const Number& number, Number minimum, Number maximum) {
+    value(name, std::clamp(number, minimum, maximum));  // what a window has become may be beyond
   }
   template <typename Get, typename Set>
   void choice(std::string_view name, Names names, Get get, Set) {

@@ -15,6 +15,9 @@ namespace depixel {
 /// What the raw frame beside the filtered one is drawn with.
 enum class RawSampling { nearest, bilinear };
 
+/// Shortest side of a window, in screen coordinates; the longest is kMaxSide.
+constexpr int kMinWindowSide = 64;
+
 /// The window, in screen coordinates.
 struct WindowSettings {
   int width = 1280, height = 800;

@@ -95,6 +95,12 @@ TEST_F(CommandLine, RefusesOptionsOutOfRange) {
   }
 }
 
+TEST_F(CommandLine, SaysThatCountsAreWhole) {
+  const Ended run = run_depixel({in_, "-o", out_, "--threads", "0.5"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("\"0.5\" is not a whole number from 1 to "), std::string::npos) << run.err;
+}
+
 TEST_F(CommandLine, RefusesWrongUsage) {
   const std::vector<std::vector<std::string>> wrong{
       {},
@@ -148,6 +154,15 @@ TEST_F(CommandLine, HelpNamesEveryFlag) {
   for (const char* flag : {"--output", "--scale", "--size", "--stage", "--format", "--verify",
                            "--check-incremental", "--stats", "--quiet"}) {
     EXPECT_NE(run.out.find(flag), std::string::npos) << flag;
+  }
+}
+
+TEST_F(CommandLine, HelpTellsTheRangesOfNumbers) {
+  const std::string help = run_depixel({"--help"}).out;
+  for (const char* flag :
+       {"sides from 1 to 16384", "above 0 and up to 16384", "--svg-tolerance 0..0.5=", "--merge-luma 0..255=",
+        "--curve-weight 0..1000=", "--soft-contours 0..100=", "--threads 1..256="}) {
+    EXPECT_NE(help.find(flag), std::string::npos) << flag;
   }
 }
 
@@ -232,6 +247,15 @@ TEST_F(CommandLine, TellsStatsAsATable) {
         "output drawn", "output moved", "similarity", "draw", "peak"}) {
     EXPECT_NE(run.err.find(row), std::string::npos) << row;
   }
+}
+
+TEST_F(CommandLine, TellsStatsThatAreAskedForThoughQuiet) {
+  const Ended run = run_depixel({in_, "-o", out_, "--verify", "--quiet", "--stats"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_NE(run.err.find("blocks recomputed"), std::string::npos) << run.err;
+  EXPECT_EQ(run.err.find("kept the colour"), std::string::npos) << run.err;
+  const std::string help = run_depixel({"--help"}).out;
+  EXPECT_NE(help.find("only errors and what --stats asks for"), std::string::npos) << help;
 }
 
 TEST_F(CommandLine, TellsStatsAsJson) {

@@ -50,6 +50,15 @@ TEST_F(Files, KindFollowsTheEnding) {
   EXPECT_EQ(decoded(read_text(folder_ / "out.png")).width(), 48);
 }
 
+TEST_F(Files, EndingsMayBeInCapitals) {
+  const std::string in = write("in.png", sample_);
+  expect_success(run_depixel({in, "-o", folder_ / "OUT.SVG"}));
+  expect_success(run_depixel({in, "-o", folder_ / "Out.Png"}));
+  EXPECT_NE(read_text(folder_ / "OUT.SVG").find("</svg>"), std::string::npos);
+  EXPECT_EQ(decoded(read_text(folder_ / "Out.Png")).width(), 48);
+  EXPECT_EQ(run_depixel({in, "-o", folder_ / "other.PNG", "--format", "svg"}).exit_code, 2);
+}
+
 TEST_F(Files, ReadsStandardInputAndWritesStandardOutput) {
   const Ended png = run_depixel({"-", "-o", "-"}, sample_);
   expect_success(png);
@@ -168,11 +177,23 @@ TEST_F(Files, AnInputIsNeverOverwritten) {
   EXPECT_EQ(read_text(other), blue_);
 }
 
+TEST_F(Files, AnInputThatIsRedirectedIsNeverOverwritten) {
+  const std::string in = write("in.png", red_);
+  expect_failure(run_program("sh", {"-c", "exec \"$1\" - -o \"$2\" <\"$2\"", "sh", DEPIXEL_PROGRAM, in}));
+  EXPECT_EQ(read_text(in), red_);
+}
+
 TEST_F(Files, TwoInputsNeverGoToOneFile) {
   fs::create_directory(folder_ / "a");
   fs::create_directory(folder_ / "b");
   expect_failure(run_depixel({write("a/x.png", red_), write("b/x.png", blue_), "-o", folder_ / "out"}));
   EXPECT_FALSE(fs::exists(folder_ / "out")) << "refused before anything was made";
+}
+
+TEST_F(Files, FramesOfAStreamHaveNamesOfTheirOwn) {
+  const std::string stream = "YUV4MPEG2 W3 H3 Cmono\nFRAME\n" + std::string(9, 'x');
+  expect_success(run_depixel({write("x.y4m", stream), write("x.png", red_), "-o", folder_ / "out"}));
+  EXPECT_EQ(folder_.names("out"), (Names{"x.png", "x_0000.png"}));
 }
 
 TEST_F(Files, OutputsThatCannotBeWrittenFail) {
@@ -198,7 +219,16 @@ TEST_F(Files, ABrokenFrameStopsASequenceWithItsName) {
   EXPECT_EQ(folder_.names("out"), Names{"1.png"});
 }
 
+TEST_F(Files, SaysWhatCanBeRead) {
+  EXPECT_NE(run_depixel({"-", "-o", "-"}, "text").err.find("PNG, BMP, JPEG, GIF or Y4M."), std::string::npos);
+  const Ended folder = run_depixel({folder_.path().string(), "-o", folder_ / "out"});
+  EXPECT_NE(folder.err.find("no .png, .bmp, .jpg, .gif or .y4m."), std::string::npos) << folder.err;
+}
+
 TEST_F(Files, MissingAndEmptyInputsFail) {
+  const Ended nameless = run_depixel({"", "-o", folder_ / "out.png"});
+  expect_failure(nameless);
+  EXPECT_EQ(nameless.err, "depixel: An input's name is empty.\n");
   expect_failure(run_depixel({folder_ / "missing.png", "-o", folder_ / "out.png"}));
   expect_failure(run_depixel({folder_.path().string(), "-o", folder_ / "out"}));
   expect_failure(run_depixel({"-", "-o", "-"}));

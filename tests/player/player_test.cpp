@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -20,6 +21,13 @@ const char* const kServer = "-screen 0 800x600x24 -noreset";
 Ended run_player(std::vector<std::string> arguments, std::string_view standard_input = {}) {
   arguments.insert(arguments.begin(), {"-a", "-s", kServer, DEPIXEL_PLAYER, "--no-config"});
   return run_program(DEPIXEL_XVFB_RUN, arguments, standard_input);
+}
+
+/// Runs the player where no window can be opened: what is told before comes at once.
+Ended run_without_display(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(),
+                   {"-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", DEPIXEL_PLAYER, "--no-config"});
+  return run_program("env", arguments);
 }
 
 /// Runs the player whose filter makes an error.
@@ -151,8 +159,9 @@ TEST(Player, RemembersOptionsUnlessTheyAreDamaged) {
   write_text(folder / "in.png", png_of(sample_picture(20, 15)));
   const Ended ended = run_script(
       "export XDG_CONFIG_HOME=$PWD/config; see='in.png --hide-ui --size 400x300 --frames 1 --screenshot'; "
-      "$player $see default.png; $player $see none.png --smoothing none; $player $see again.png; echo '{ "
-      "damaged' > config/depixel/player.json; $player $see damaged.png 2>said.txt",
+      "$player $see default.png; $player $see none.png --smoothing none; start in.png --smoothing none; "
+      "xdotool key q; wait; $player $see again.png; echo '{ damaged' > config/depixel/player.json; "
+      "$player $see damaged.png 2>said.txt",
       folder.path().string());
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
   const auto shown = [&](const std::string& name) { return decoded(read_text(folder / name)); };
@@ -161,6 +170,22 @@ TEST(Player, RemembersOptionsUnlessTheyAreDamaged) {
   EXPECT_TRUE(equal(shown("damaged.png"), shown("default.png")));
   const Ended said{0, "", read_text(folder / "said.txt")};
   EXPECT_TRUE(said.is_one_sentence(kName)) << said.err;
+}
+
+TEST(Player, LeavesTheSettingsAloneWhereFramesAreCounted) {
+  const TemporaryFolder folder;
+  write_text(folder / "in.png", png_of(sample_picture(20, 15)));
+  std::filesystem::create_directories(folder / "config/depixel");
+  const std::string settings = R"({"options": {"smoothing": "average"}})";
+  write_text(folder / "config/depixel/player.json", settings);
+  const Ended ended = run_script(
+      "counted='in.png --size 400x300 --threads 2 --frames 1'; XDG_CONFIG_HOME=$PWD/config $player $counted; "
+      "XDG_CONFIG_HOME=$PWD/none $player $counted",
+      folder.path().string());
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(read_text(folder / "config/depixel/player.json"), settings);
+  EXPECT_EQ(folder.names("config/depixel"), std::vector<std::string>{"player.json"});
+  EXPECT_FALSE(std::filesystem::exists(folder / "none"));
 }
 
 TEST(Player, WritesVectorPicturesAndSequences) {
@@ -278,6 +303,69 @@ TEST(Player, WritesNothingOver) {
   EXPECT_EQ(folder.names("0_depixel"), (std::vector<std::string>{"0.png", "0_2.png"}));
 }
 
+TEST(Player, NeverSavesOverAnInput) {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder;
+  const std::string clip = folder / "clip", in = clip + "/0.png", other = clip + "/1.png";
+  fs::create_directory(clip);
+  for (const std::string& file : {in, other}) write_text(file, png_of(sample_picture(8, 8)));
+  fs::create_symlink("clip/0.png", folder / "symbolic.png");
+  fs::create_hard_link(in, folder / "hard.png");
+  struct Case {
+    std::string input, screenshot;
+  };
+  for (const Case& c : {Case{in, in}, Case{in, clip + "/./0.png"}, Case{in, folder / "symbolic.png"},
+                        Case{in, folder / "hard.png"}, Case{clip, other}, Case{clip + "/%d.png", other}}) {
+    const Ended ended = run_without_display({c.input, "--frames", "1", "--screenshot", c.screenshot});
+    EXPECT_EQ(ended.exit_code, 1);
+    EXPECT_EQ(ended.err, "depixel-player: " + c.screenshot + " is an input and is not overwritten.\n");
+  }
+}
+
+TEST(Player, RefusesWrongUsage) {
+  const std::vector<std::vector<std::string>> wrong{
+      {"--no-such-flag"},
+      {"--frames", "0"},
+      {"--frames", "0.5"},
+      {"--frames", "1", "--screenshot", ""},
+      {"--frames", "1", "--screenshot", "-"},
+      {"--frames", "1", "--screenshot", "shot"},
+      {"--frames", "1", "--screenshot", "shot.jpg"},
+      {"--frames", "1", "--screenshot", "folder/.png"},
+      {"--size", "1x1"},
+      {"--size", "400x63"},
+      {"--size", "16385x400"},
+  };
+  for (const auto& arguments : wrong) {
+    const Ended ended = run_without_display(arguments);
+    EXPECT_EQ(ended.exit_code, 2) << fmt::format("{}", fmt::join(arguments, " "));
+    EXPECT_TRUE(ended.is_one_sentence(kName)) << ended.err;
+  }
+  const Ended right =
+      run_without_display({"in.png", "--size", "64x64", "--frames", "1", "--screenshot", "A.Png"});
+  EXPECT_EQ(right.exit_code, 1) << "but for the display: " << right.err;
+}
+
+TEST(Player, GoesOnBehindADamagedFrameAndTellsOfItAtTheEnd) {
+  const TemporaryFolder folder;
+  const Rgba last{20, 30, 60, 255};
+  std::filesystem::create_directory(folder / "clip");
+  write_text(folder / "clip/0.png", png_of(sample_picture(8, 8)));
+  write_text(folder / "clip/1.png", "no picture");
+  write_text(folder / "clip/2.png", png_of(plain_picture(8, 8, last)));
+  for (const char* frames : {"3", "6"}) {  // once, and round again
+    const Ended ended = run_player({folder / "clip", "--size", "320x320", "--hide-ui", "--frames", frames,
+                                    "--stats", "--screenshot", folder / "shot.png"});
+    EXPECT_EQ(ended.exit_code, 1);
+    EXPECT_TRUE(ended.is_one_sentence(kName)) << ended.err;
+    EXPECT_NE(ended.err.find("1.png is not a picture"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.out.find("\"counts\""), std::string::npos) << ended.out;
+    const Picture shown = decoded(read_text(folder / "shot.png"));
+    ASSERT_EQ(shown.width(), 320);
+    EXPECT_EQ(pixel(shown, 160, 160), last);
+  }
+}
+
 TEST(Player, SaysWhatIsWrongInOneSentence) {
   const TemporaryFolder folder;
   write_text(folder / "bad.png", "no picture");
@@ -291,12 +379,7 @@ TEST(Player, SaysWhatIsWrongInOneSentence) {
   EXPECT_EQ(cut.exit_code, 1);
   EXPECT_TRUE(cut.is_one_sentence(kName)) << cut.err;
 
-  const Ended usage = run_player({"--no-such-flag"});
-  EXPECT_EQ(usage.exit_code, 2);
-  EXPECT_TRUE(usage.is_one_sentence(kName)) << usage.err;
-
-  const Ended no_display = run_program(
-      "env", {"-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", DEPIXEL_PLAYER, "--no-config", folder / "good.png"});
+  const Ended no_display = run_without_display({folder / "good.png"});
   EXPECT_EQ(no_display.exit_code, 1);
   EXPECT_TRUE(no_display.is_one_sentence(kName)) << no_display.err;
 

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "apps/common/limits.hpp"
 #include "tests/apps/process.hpp"
 
 namespace depixel::test {
@@ -28,6 +29,16 @@ TEST(Settings, SurviveBeingWritten) {
   EXPECT_EQ(read->options, unusual().options);
   EXPECT_EQ(read->look.divider, 0.25);
   EXPECT_EQ(read->window.x, -5);
+}
+
+TEST(Settings, AreWrittenWithinTheLimitsThatTheyAreReadWith) {
+  Settings settings;
+  settings.window = {1, 99999, true, -99999, 99999};
+  settings.play.speed = 1000;
+  const auto read = parse_settings(settings_text(settings));
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->window.width, kMinWindowSide);
+  EXPECT_EQ(read->window.height, kMaxSide);
 }
 
 TEST(Settings, MissingOnesKeepTheirDefaults) {
