@@ -194,7 +194,7 @@ void IncrementalVectorizer::find_changed_colours(const BlockSet& blocks, const s
   }
 }
 
-/// Rule::codes_by_pixels and Rule::codes_by_crossings.
+/// Rule::codes_by_pixels; and, as the graph tells what is stale, Rule::codes_by_crossings.
 void IncrementalVectorizer::encode() {
   stale_.clear();
   stale_codes_.clear();

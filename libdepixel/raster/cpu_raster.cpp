@@ -106,12 +106,9 @@ void CpuRaster::add_row(const MapByEdge& map, const std::vector<Rgba>& colours, 
     const EdgeSides sides = sides_of(corner, southwards, stride);
     const auto change = Sums::change(colours[sides.right], colours[sides.left]);
     const glm::ivec2 owner(first_column + x * step, row);
-    flatten(p[0], p[1], p[2], p[3],
-            flattening_pieces(glm::ivec2(curve.p0), glm::ivec2(curve.p1), glm::ivec2(curve.p2),
-                              glm::ivec2(curve.p3), grid.scale),
-            [&](glm::ivec2 a, glm::ivec2 b) {
-              sums.add_line(owner.x + a.x, owner.y + a.y, owner.x + b.x, owner.y + b.y, change);
-            });
+    to_output.flatten(curve, p, [&](glm::ivec2 a, glm::ivec2 b) {
+      sums.add_line(owner.x + a.x, owner.y + a.y, owner.x + b.x, owner.y + b.y, change);
+    });
   });
 }
 

@@ -4,7 +4,7 @@
 #include <glm/common.hpp>
 #include <limits>
 
-#include "libdepixel/raster/flatten.hpp"
+#include "libdepixel/raster/curve_to_output.hpp"
 
 namespace depixel {
 namespace {
@@ -34,11 +34,10 @@ void CurveCells::start(const OutputGrid& grid, int pitch, std::uint64_t generati
 }
 
 void CurveCells::flatten_curve(const EdgeCurve& curve) {
-  const OutputGrid grid(View{scale_.x, scale_.y, 0, 0}, Lattice(), PictureView{});
-  const glm::ivec2 p0(curve.p0), p1(curve.p1), p2(curve.p2), p3(curve.p3);
-  points_.assign(1, grid(p0));
-  flatten(grid(p0), grid(p1), grid(p2), grid(p3), flattening_pieces(p0, p1, p2, p3, scale_),
-          [&](glm::ivec2, glm::ivec2 to) { points_.push_back(to); });
+  const CurveToOutput to_output(whole_scale_);
+  const CurveToOutput::Points points = to_output(curve);
+  points_.assign(1, points[0]);
+  to_output.flatten(curve, points, [&](glm::ivec2, glm::ivec2 to) { points_.push_back(to); });
 }
 
 /// Source: font-rs, as BandSums, for a colour change of 1.

@@ -26,10 +26,7 @@ class CurveCells {
 
   static constexpr int kLargestScale = 16;
 
-  static bool fits(const OutputGrid& grid) {
-    const int x = grid.x.whole_scale(), y = grid.y.whole_scale();
-    return x > 0 && y > 0 && x <= kLargestScale && y <= kLargestScale;
-  }
+  static bool fits(const OutputGrid& grid) { return grid.has_whole_scales(kLargestScale); }
   /// True where seen_from() is good: a tile's centre has its colour and lies in the corner of an output
   /// pixel. (At two output pixels to a source pixel, lines may stray as far from their curves as those stay
   /// away from the centres.)

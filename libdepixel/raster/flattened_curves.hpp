@@ -15,10 +15,7 @@ namespace depixel {
 class FlattenedCurves {
  public:
   /// True for grids that this is for; others must be flattened edge by edge.
-  static bool fits(const OutputGrid& grid) {
-    const int x = grid.x.whole_scale(), y = grid.y.whole_scale();
-    return x > 0 && y > 0 && x <= kLargestScale && y <= kLargestScale;
-  }
+  static bool fits(const OutputGrid& grid) { return grid.has_whole_scales(kLargestScale); }
 
   /// Starts on a picture; forgets all lines if the scale or the table's curves are others.
   void start(const SplineTable& table, const OutputGrid& grid);

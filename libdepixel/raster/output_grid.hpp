@@ -65,6 +65,11 @@ struct OutputGrid {
   /// Where a column's left side, or a row's top, lies.
   int column(int source_x) const { return x(source_x * kSubpixels); }
   int row(int source_y) const { return y(source_y * kSubpixels); }
+  /// Whether both axes have whole output pixels to a source pixel, so many at most.
+  bool has_whole_scales(int largest) const {
+    const int across = x.whole_scale(), down = y.whole_scale();
+    return across > 0 && down > 0 && across <= largest && down <= largest;
+  }
   bool covers_target() const {
     return column(0) <= 0 && row(0) <= 0 && column(lattice.width()) >= target.width * kRasterSubpixels &&
            row(lattice.height()) >= target.height * kRasterSubpixels;

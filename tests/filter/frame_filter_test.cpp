@@ -415,6 +415,20 @@ void expect_kept_is_as_plain(FrameFilter& filter, Picture& kept) {
   EXPECT_TRUE(kept == expected);
 }
 
+TEST(CpuFilter, DrawsShadedFramesHoweverSmall) {
+  const auto filter = FrameFilter::cpu();
+  Options options;
+  options.similarity = Similarity::merge;
+  options.merge_luma = 48;
+  options.shading = ShadingKind::gradient;
+  ASSERT_TRUE(filter->submit(ascii_picture({"4455", "4455", "5566", "5566"}).view(), options));
+  ASSERT_TRUE(filter->vectorizer().shading().any);
+  Picture picture(3, 3);
+  for (const double scale : {1e-3, 2e-8, 1e-300}) {
+    EXPECT_TRUE(filter->draw(picture.target(), {0, 0, 3, 3}, {scale, scale, 0, 0}));
+  }
+}
+
 TEST(CpuFilter, KeptPicturesAreBroughtUpToDate) {
   const auto filter = FrameFilter::cpu();
   filter->check_incremental(true);
