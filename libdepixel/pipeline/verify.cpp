@@ -115,9 +115,19 @@ class CentreCheck {
   int width() const { return map_.lattice.width(); }
   int height() const { return map_.lattice.height(); }
 
-  glm::ivec4 levels(int pixel) const {
-    const Rgba c = map_.colours[pixel];
-    return {c.r, c.g, c.b, c.a};
+  static glm::ivec4 levels(Rgba c) { return {c.r, c.g, c.b, c.a}; }
+  glm::ivec4 levels(int pixel) const { return levels(map_.colours[pixel]); }
+
+  /// The colour at the centre of a pixel which lies in a region of some colour; as ShadeField has it, there
+  /// in the block at the pixel's south-east, where all of the weight is the pixel's if it takes part.
+  glm::ivec4 drawn(int pixel, glm::ivec4 region) const {
+    const Shading& shading = map_.shading;
+    if (shading.kind == ShadingKind::blur || !shading.any || shading.blocks[pixel] == 0) return region;
+    const std::array<int, 4> offset = block_pixels(map_.lattice.stride());
+    int own = 0;
+    for (int k = 0; k < 4; ++k) own |= (levels(pixel + offset[k]) == region ? 1 : 0) << k;
+    const bool takes_part = (blending_pixels(shading.blocks[pixel], own) >> kNorthWestPixel & 1) != 0;
+    return takes_part ? levels(normalized(shading.shades[pixel])) : region;
   }
 
   /// The first centre (row or column of pixels) at or beyond a coordinate, within 0 .. count.
@@ -165,8 +175,8 @@ class CentreCheck {
       glm::ivec4 shown(0);
       for (int x = 0; x < width() - margin; ++x) {
         shown += changes_[std::size_t(y) * width() + x];
-        const Rgba own = normalized(graph_.pixels[lattice.pixel(x, y)]);
-        if (x < margin || shown == glm::ivec4(own.r, own.g, own.b, own.a)) continue;
+        const int pixel = lattice.pixel(x, y);
+        if (x < margin || drawn(pixel, shown) == levels(normalized(graph_.pixels[pixel]))) continue;
         if (report_.lost++ == 0) {
           report_.first_lost_x = x - margin;
           report_.first_lost_y = y - margin;

@@ -1,33 +1,20 @@
 #include "libdepixel/svg/svg_shading.hpp"
 
 #include <algorithm>
-#include <array>
 #include <compare>
 #include <map>
 #include <span>
 #include <string_view>
 
+#include "libdepixel/svg/gradient_strips.hpp"
 #include "libdepixel/svg/soft_groups.hpp"
 #include "libdepixel/svg/svg_document.hpp"
 
 namespace depixel {
 namespace {
 
-/// A disc is opaque in its middle and fades out, three pixels wide, so that little of it reaches the next
-/// centres.
-struct Stop {
-  std::string_view offset, opacity;
-};
-constexpr std::array<Stop, 4> kFading{{{"0", "1"}, {".33", ".6"}, {".67", ".12"}, {"1", "0"}}};
 /// In pixels: as soft as the mixture between two centres is.
 constexpr std::string_view kDeviation = ".35";
-
-std::string colour_name(Rgba colour) {
-  std::string name;
-  append_svg_paint(name, "", colour);
-  const std::size_t from = name.find('#') + 1;
-  return name.substr(from, name.find('"', from) - from);
-}
 
 class ShadingWriter {
  public:
@@ -45,23 +32,8 @@ class ShadingWriter {
   }
 
   void write() {
-    find_own();
-    find_beyond();
-    if (pixels_.empty()) return;
-    std::sort(pixels_.begin(), pixels_.end());
-    pixels_.erase(std::unique(pixels_.begin(), pixels_.end()), pixels_.end());
-    out_ += "<g id=\"shading\">\n<defs>\n";
-    const bool is_gradient = map_.shading.kind == ShadingKind::gradient;
-    is_gradient ? define_discs() : define_blur();
-    out_ += "</defs>\n";
-    for (auto from = pixels_.begin(); from != pixels_.end();) {
-      const auto to =
-          std::find_if(from, pixels_.end(), [&](const Pixel& p) { return p.group != from->group; });
-      define_clip(from->group);
-      is_gradient ? put_discs({from, to}) : put_blurred({from, to});
-      out_ += "</g>\n";
-      from = to;
-    }
+    out_ += "<g id=\"shading\">\n";
+    map_.shading.kind == ShadingKind::gradient ? write_gradients() : write_blurred();
     out_ += "</g>\n";
   }
 
@@ -75,6 +47,46 @@ class ShadingWriter {
 
     friend auto operator<=>(const Pixel&, const Pixel&) = default;
   };
+
+  /// Groups' even rows, then, under one mask, their odd rows.
+  void write_gradients() {
+    GradientStrips strips(map_, group_);
+    out_ += "<defs>\n";
+    strips.append_definitions(out_);
+    for (const int group : strips.groups()) define_clip(group);
+    out_ += "</defs>\n";
+    for (const bool is_odd : {false, true}) {
+      out_ += "<g";
+      if (is_odd) out_.append(" mask=\"url(#").append(GradientStrips::kMaskName).append(")\"");
+      out_ += ">\n";
+      for (const int group : strips.groups()) {
+        std::string drawn;
+        strips.append(group, is_odd, drawn);
+        if (drawn.empty()) continue;
+        start_clipped(group);
+        out_.append(">\n").append(drawn).append("</g>\n");
+      }
+      out_ += "</g>\n";
+    }
+  }
+
+  void write_blurred() {
+    find_own();
+    find_beyond();
+    std::sort(pixels_.begin(), pixels_.end());
+    pixels_.erase(std::unique(pixels_.begin(), pixels_.end()), pixels_.end());
+    out_ += "<defs>\n";
+    define_blur();
+    out_ += "</defs>\n";
+    for (auto from = pixels_.begin(); from != pixels_.end();) {
+      const auto to =
+          std::find_if(from, pixels_.end(), [&](const Pixel& p) { return p.group != from->group; });
+      define_clip(from->group);
+      put_blurred({from, to});
+      out_ += "</g>\n";
+      from = to;
+    }
+  }
 
   void find_own() {
     const Lattice& lattice = map_.lattice;
@@ -98,23 +110,6 @@ class ShadingWriter {
 
   Rgba shade(const Pixel& pixel) const { return map_.shading.shades[pixel.index]; }
 
-  void define_discs() {
-    std::map<std::uint32_t, Rgba> colours;
-    for (const Pixel& pixel : pixels_) colours.emplace(rgba_order(shade(pixel)), shade(pixel));
-    for (const auto& [order, colour] : colours) {
-      const std::string name = colour_name(colour);
-      out_.append("<radialGradient id=\"g").append(name).append("\">");
-      for (const Stop& stop : kFading) {
-        out_.append("<stop offset=\"").append(stop.offset).append("\" stop-opacity=\"").append(stop.opacity);
-        out_.append("\" stop-color=\"#").append(name).append("\"/>");
-      }
-      out_.append("</radialGradient>\n<circle id=\"d")
-          .append(name)
-          .append("\" cx=\".5\" cy=\".5\" r=\"1.5\" fill=\"url(#g");
-      out_.append(name).append(")\"/>\n");
-    }
-  }
-
   void define_blur() {
     out_ +=
         "<filter id=\"blur\" x=\"-1\" y=\"-1\" width=\"3\" height=\"3\" "
@@ -131,22 +126,6 @@ class ShadingWriter {
 
   void start_clipped(int group) {
     out_.append("<g clip-path=\"url(#c").append(std::to_string(group)).append(")\"");
-  }
-
-  /// On squares of the same colours, for discs let something through.
-  void put_discs(std::span<const Pixel> pixels) {
-    start_clipped(pixels.front().group);
-    out_ += ">\n";
-    put_squares(pixels, 0);
-    for (const Pixel& pixel : pixels) {
-      const glm::ivec2 at = map_.lattice.pixel_position(pixel.index);
-      out_.append("<use xlink:href=\"#d").append(colour_name(shade(pixel)));
-      out_.append("\" x=\"")
-          .append(std::to_string(at.x))
-          .append("\" y=\"")
-          .append(std::to_string(at.y))
-          .append("\"/>\n");
-    }
   }
 
   /// What lies beyond a sharp contour takes part in the blur, and is what is nearest inside.

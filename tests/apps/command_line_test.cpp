@@ -197,6 +197,9 @@ TEST_F(CommandLine, VerifyFailsWhereMergingRepaintsAPixel) {
   EXPECT_TRUE(run.is_one_sentence()) << run.err;
   EXPECT_NE(run.err.find("1 of 25 pixels"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("(2, 2)"), std::string::npos) << run.err;
+  EXPECT_EQ(
+      run_depixel({in_, "-o", out_, "--verify", "--similarity", "merge", "--shading", "gradient"}).exit_code,
+      0);
 }
 
 TEST_F(CommandLine, DrawsByOpenGlAsByTheProcessor) {

@@ -7,6 +7,7 @@
 
 #include "libdepixel/core/tolerances.hpp"
 #include "libdepixel/pipeline/vectorizer.hpp"
+#include "libdepixel/raster/cpu_raster.hpp"
 #include "tests/support/map_sampler.hpp"
 #include "tests/support/random_pictures.hpp"
 
@@ -147,6 +148,46 @@ TEST(VerifyCentres, MergingLosesWhatItRepaints) {
   EXPECT_EQ(report.lost, 1);
   EXPECT_EQ(report.first_lost_x, 1);
   EXPECT_EQ(report.first_lost_y, 1);
+}
+
+TEST(VerifyCentres, GradientsShowWhatMergingRepaints) {
+  const Picture picture = ascii_picture({"555",  //
+                                         "545",  //
+                                         "555"});
+  Options options{.similarity = Similarity::merge, .merge_luma = 48};
+  const auto lost = [&](ShadingKind shading) {
+    options.shading = shading;
+    Vectorizer vectorizer;
+    return verify_centres(vectorizer.vectorize(picture.view(), options), vectorizer.graph()).lost;
+  };
+  EXPECT_EQ(lost(ShadingKind::gradient), 0);
+  EXPECT_EQ(lost(ShadingKind::blur), 1);  // the regions' colours are judged
+}
+
+/// Gradients or not: curves that come to centres lose them. Draws each centre alone, much enlarged.
+RC_GTEST_PROP(VerifyCentres, CountsWhatGradientsShow, (Picture picture)) {
+  Options options{.similarity = Similarity::merge, .merge_luma = 48, .shading = ShadingKind::gradient};
+  options.connect_lines = *rc::gen::arbitrary<bool>();
+  options.soft_contours = *rc::gen::element(0, 30);
+  Vectorizer vectorizer;
+  PlanarMap map = vectorizer.vectorize(picture.view(), options);
+  const int shift = *rc::gen::element(0, kPixelSide / 3, kPixelSide * 2 / 3);
+  for (Segment& s : map.segments) {
+    for (glm::ivec2* p : {&s.p0, &s.p1, &s.p2, &s.p3}) p->x += shift;
+  }
+  const CentreReport report = verify_centres(map, vectorizer.graph());
+  constexpr double kScale = 2048;
+  RC_PRE(report.nearest >= 1 / kScale);
+  int lost = 0;
+  CpuRaster raster;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      Picture seen(1, 1);
+      raster.draw(map, View{kScale, kScale, x + 0.5, y + 0.5}, false, 1, seen.target());
+      lost += seen.at(0, 0) != normalized(picture.at(x, y)) ? 1 : 0;
+    }
+  }
+  RC_ASSERT(report.lost == lost);
 }
 
 TEST(VerifyCentres, TransparentPixelsHaveAColourToo) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <string_view>
+
 #include "libdepixel/pipeline/vectorizer.hpp"
 #include "libdepixel/raster/cpu_raster.hpp"
 #include "libdepixel/svg/svg_writer.hpp"
@@ -20,8 +23,8 @@ struct Shaded {
   std::string svg;
   std::string flat_svg;  ///< without what makes colours run
 
-  Shaded(const char* file, const char* kind, const Options& options) : name(std::string(file) + " " + kind) {
-    const Picture picture = load_picture(data_folder() / "sprites" / file);
+  Shaded(std::string_view of, const char* kind, const Picture& picture, const Options& options)
+      : name(std::string(of) + " " + kind) {
     Vectorizer vectorizer;
     const PlanarMap& map = vectorizer.vectorize(picture.view(), options);
     raster = Picture(picture.width * kShadedAt, picture.height * kShadedAt);
@@ -38,7 +41,7 @@ std::vector<Shaded> shaded_pictures() {
   std::vector<Shaded> pictures;
   for (const char* file : {"minetest_game_default_apple.png", "minetest_game_bucket_lava.png"}) {
     const auto add = [&](const char* kind, const Options& options) {
-      pictures.emplace_back(file, kind, options);
+      pictures.emplace_back(file, kind, load_picture(data_folder() / "sprites" / file), options);
     };
     add("gradient", {.similarity = Similarity::merge, .merge_luma = 48, .shading = ShadingKind::gradient});
     add("blur", {.similarity = Similarity::merge, .merge_luma = 48, .shading = ShadingKind::blur});
@@ -47,8 +50,11 @@ std::vector<Shaded> shaded_pictures() {
   return pictures;
 }
 
-/// Discs and blurred squares come near to the raster's mixtures, and nearer than components of one colour do.
+/// Strips and blurred squares come near to the raster's mixtures, and nearer than components of one colour
+/// do.
 constexpr double kMostError = 3.0, kPartOfFlat = 0.75;
+/// Edges take most of it; where all is of one colour it is 0.4.
+constexpr double kMostErrorOfGradients = 0.65;
 
 TEST(SvgShading, RsvgDrawsItNearly) {
   for (const Shaded& shaded : shaded_pictures()) {
@@ -76,6 +82,52 @@ TEST(SvgShading, ChromiumDrawsItNearly) {
     EXPECT_LT(pictures[i].error(drawn[2 * i]), kPartOfFlat * pictures[i].error(drawn[2 * i + 1]))
         << pictures[i].name;
   }
+}
+
+Picture part_of(const Picture& picture, glm::ivec2 from, glm::ivec2 size) {
+  Picture part(size.x, size.y);
+  for (int y = 0; y < size.y; ++y) {
+    for (int x = 0; x < size.x; ++x) part.at(x, y) = picture.at(from.x + x, from.y + y);
+  }
+  return part;
+}
+
+/// Gradients mix as the raster does: nothing shows through round what lies on them, nothing reaches other
+/// shapes, and lines stay straight.
+TEST(SvgShading, GradientsAreAsInTheRaster) {
+  const Picture frame = load_picture(data_folder() / "frames/davegnukem_0052.png");
+  const Options merged{.similarity = Similarity::merge, .merge_luma = 48, .shading = ShadingKind::gradient};
+  const Options connected{.connect_lines = true, .shading = ShadingKind::gradient};
+  const std::array<Shaded, 3> pictures{
+      {{"word", "merged", part_of(frame, {228, 4}, {60, 30}), merged},
+       {"windows", "merged", part_of(frame, {0, 0}, {60, 60}), merged},
+       {"camera", "connected", part_of(frame, {172, 28}, {52, 40}), connected}}};
+  for (const Shaded& shaded : pictures) {
+    const Picture drawn = draw_with_rsvg(shaded.svg, shaded.raster.width, shaded.raster.height);
+    EXPECT_LT(shaded.error(drawn), kMostErrorOfGradients) << shaded.name;
+  }
+}
+
+/// Rows that look the same share their gradient.
+TEST(SvgShading, GradientsTakeOneStripARow) {
+  Picture ramp(8, 3);
+  for (int y = 0; y < 3; ++y) {
+    for (int x = 0; x < 8; ++x) {
+      const auto level = static_cast<std::uint8_t>(100 + 4 * x);
+      ramp.at(x, y) = {level, level, level, 255};
+    }
+  }
+  Vectorizer vectorizer;
+  vectorizer.vectorize(ramp.view(),
+                       Options{.similarity = Similarity::merge, .shading = ShadingKind::gradient});
+  const std::string svg = write_svg(vectorizer.map(), vectorizer.graph());
+  const auto count = [&](std::string_view what) {
+    int found = 0;
+    for (std::size_t at = 0; (at = svg.find(what, at)) != std::string::npos; ++at) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("<linearGradient id=\"s"), 1);
+  EXPECT_EQ(count("fill=\"url(#s0)\""), 3);
 }
 
 /// One clipping path will do for colours that all run into each other.
