@@ -10,7 +10,7 @@ constexpr std::array<std::string_view, 2> kDitherNames{"keep", "blend"};
 constexpr std::array<std::string_view, 3> kSplineNames{"adaptive", "approximate", "interpolate"};
 constexpr std::array<std::string_view, 3> kSmoothingNames{"energy", "average", "none"};
 constexpr std::array<std::string_view, 2> kCornersNames{"round", "sharp"};
-constexpr std::array<std::string_view, 3> kShadingNames{"none", "gradient", "blur"};
+constexpr std::array<std::string_view, 4> kShadingNames{"none", "gradient", "discs", "blur"};
 constexpr std::array<std::string_view, 2> kCurveRuleNames{"valence", "continuity"};
 constexpr std::array<std::string_view, 3> kBorderNames{"fixed", "repeat", "mirror"};
 

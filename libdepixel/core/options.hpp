@@ -11,7 +11,8 @@ enum class SplineKind { adaptive, approximate, interpolate };
 enum class Smoothing { energy, average, none };
 enum class DitherKind { keep, blend };
 enum class Corners { round, sharp };
-enum class ShadingKind { none, gradient, blur };
+/// Of gradient and discs, only vector files tell which it was.
+enum class ShadingKind { none, gradient, discs, blur };
 enum class CurveRule { valence, continuity };
 /// How a picture goes on beyond its border: not at all, by its outermost pixels, or mirrored.
 enum class BorderKind { fixed, repeat, mirror };

@@ -1,6 +1,7 @@
 #include "libdepixel/svg/svg_shading.hpp"
 
 #include <algorithm>
+#include <array>
 #include <compare>
 #include <map>
 #include <span>
@@ -13,8 +14,21 @@
 namespace depixel {
 namespace {
 
+/// A disc is opaque in its middle and fades out, three pixels wide, so that little of it reaches the next
+/// centres.
+struct FadingStop {
+  std::string_view offset, opacity;
+};
+constexpr std::array<FadingStop, 4> kFading{{{"0", "1"}, {".33", ".6"}, {".67", ".12"}, {"1", "0"}}};
 /// In pixels: as soft as the mixture between two centres is.
 constexpr std::string_view kDeviation = ".35";
+
+std::string colour_name(Rgba colour) {
+  std::string name;
+  append_svg_paint(name, "", colour);
+  const std::size_t from = name.find('#') + 1;
+  return name.substr(from, name.find('"', from) - from);
+}
 
 class ShadingWriter {
  public:
@@ -33,7 +47,7 @@ class ShadingWriter {
 
   void write() {
     out_ += "<g id=\"shading\">\n";
-    map_.shading.kind == ShadingKind::gradient ? write_gradients() : write_blurred();
+    map_.shading.kind == ShadingKind::gradient ? write_gradients() : write_pixels();
     out_ += "</g>\n";
   }
 
@@ -70,19 +84,20 @@ class ShadingWriter {
     }
   }
 
-  void write_blurred() {
+  void write_pixels() {
+    const bool are_discs = map_.shading.kind == ShadingKind::discs;
     find_own();
     find_beyond();
     std::sort(pixels_.begin(), pixels_.end());
     pixels_.erase(std::unique(pixels_.begin(), pixels_.end()), pixels_.end());
     out_ += "<defs>\n";
-    define_blur();
+    are_discs ? define_discs() : define_blur();
     out_ += "</defs>\n";
     for (auto from = pixels_.begin(); from != pixels_.end();) {
       const auto to =
           std::find_if(from, pixels_.end(), [&](const Pixel& p) { return p.group != from->group; });
       define_clip(from->group);
-      put_blurred({from, to});
+      are_discs ? put_discs({from, to}) : put_blurred({from, to});
       out_ += "</g>\n";
       from = to;
     }
@@ -110,6 +125,21 @@ class ShadingWriter {
 
   Rgba shade(const Pixel& pixel) const { return map_.shading.shades[pixel.index]; }
 
+  void define_discs() {
+    std::map<std::uint32_t, Rgba> colours;
+    for (const Pixel& pixel : pixels_) colours.emplace(rgba_order(shade(pixel)), shade(pixel));
+    for (const auto& [order, colour] : colours) {
+      const std::string name = colour_name(colour);
+      out_.append("<radialGradient id=\"g").append(name).append("\">");
+      for (const FadingStop& stop : kFading) {
+        out_.append("<stop offset=\"").append(stop.offset).append("\" stop-opacity=\"").append(stop.opacity);
+        out_.append("\" stop-color=\"#").append(name).append("\"/>");
+      }
+      out_.append("</radialGradient>\n<circle id=\"d").append(name);
+      out_.append("\" cx=\".5\" cy=\".5\" r=\"1.5\" fill=\"url(#g").append(name).append(")\"/>\n");
+    }
+  }
+
   void define_blur() {
     out_ +=
         "<filter id=\"blur\" x=\"-1\" y=\"-1\" width=\"3\" height=\"3\" "
@@ -126,6 +156,18 @@ class ShadingWriter {
 
   void start_clipped(int group) {
     out_.append("<g clip-path=\"url(#c").append(std::to_string(group)).append(")\"");
+  }
+
+  /// On squares of the same colours, for discs let something through.
+  void put_discs(std::span<const Pixel> pixels) {
+    start_clipped(pixels.front().group);
+    out_ += ">\n";
+    put_squares(pixels, 0);
+    for (const Pixel& pixel : pixels) {
+      const glm::ivec2 at = map_.lattice.pixel_position(pixel.index);
+      out_.append("<use xlink:href=\"#d").append(colour_name(shade(pixel))).append("\" x=\"");
+      out_.append(std::to_string(at.x)).append("\" y=\"").append(std::to_string(at.y)).append("\"/>\n");
+    }
   }
 
   /// What lies beyond a sharp contour takes part in the blur, and is what is nearest inside.

@@ -134,7 +134,7 @@ rc::Gen<Options> random_options() {
                                  rc::gen::set(&Options::smoothing, random_enum<Smoothing>(3)),
                                  rc::gen::set(&Options::text_safe, rc::gen::arbitrary<bool>()),
                                  rc::gen::set(&Options::corners, random_enum<Corners>(2)),
-                                 rc::gen::set(&Options::shading, random_enum<ShadingKind>(3)),
+                                 rc::gen::set(&Options::shading, random_enum<ShadingKind>(4)),
                                  rc::gen::set(&Options::soft_contours, rc::gen::element(0.0, 0.0, 30.0)),
                                  rc::gen::set(&Options::curve_rule, random_enum<CurveRule>(2)),
                                  rc::gen::set(&Options::linear_light, rc::gen::arbitrary<bool>()),

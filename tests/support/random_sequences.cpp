@@ -260,7 +260,7 @@ void print(std::ostream& out, const Options& options) {
   constexpr std::array<std::string_view, 2> kDithers{"keep", "blend"};
   constexpr std::array<std::string_view, 3> kSplines{"adaptive", "approximate", "interpolate"};
   constexpr std::array<std::string_view, 3> kSmoothings{"energy", "average", "none"};
-  constexpr std::array<std::string_view, 3> kShadings{"none", "gradient", "blur"};
+  constexpr std::array<std::string_view, 4> kShadings{"none", "gradient", "discs", "blur"};
   constexpr std::array<std::string_view, 3> kBorders{"fixed", "repeat", "mirror"};
   out << "{.similarity = Similarity::" << kSimilarities[static_cast<int>(options.similarity)]
       << ", .merge_luma = " << options.merge_luma << ", .connect_lines = " << name_of(options.connect_lines)

@@ -44,13 +44,14 @@ std::vector<Shaded> shaded_pictures() {
       pictures.emplace_back(file, kind, load_picture(data_folder() / "sprites" / file), options);
     };
     add("gradient", {.similarity = Similarity::merge, .merge_luma = 48, .shading = ShadingKind::gradient});
+    add("discs", {.similarity = Similarity::merge, .merge_luma = 48, .shading = ShadingKind::discs});
     add("blur", {.similarity = Similarity::merge, .merge_luma = 48, .shading = ShadingKind::blur});
     add("soft", {.soft_contours = 40});
   }
   return pictures;
 }
 
-/// Strips and blurred squares come near to the raster's mixtures, and nearer than components of one colour
+/// Strips, discs and blurred squares come near to the raster's mixtures, and nearer than components of one colour
 /// do.
 constexpr double kMostError = 3.0, kPartOfFlat = 0.75;
 /// Edges take most of it; where all is of one colour it is 0.4.
