@@ -92,7 +92,7 @@ void CornerPlacer::hold_bar_ends() {
     const Run& end = runs[k];
     if (end.length != kBarWidth || !end.turns_back()) continue;
     if (runs.neighbour(k, -1)->length < length || runs.neighbour(k, 1)->length < length) continue;
-    for (const int node : {end.start, end.start + kBarWidth}) {
+    for (int node = end.start; node <= end.start + kBarWidth; ++node) {
       const int i = member_.first + wrapped(node);
       if (batch_->role[i] != NodeRole::free) continue;
       batch_->set_role(i, NodeRole::sharp);

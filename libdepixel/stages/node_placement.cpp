@@ -15,6 +15,8 @@ constexpr float kLongestSlope = 8.0f;
 /// A bulge's height above the middle of the steps at its ends, in pixels, and its bounds: a top lies about on
 /// the lattice.
 constexpr float kLowestBulge = 0.5f, kHighestBulge = 0.8f;
+/// Nodes round a dot of two by three pixels; longer rectangles are no dots.
+constexpr int kLongestDot = 10;
 /// Bits of a step's thin sides.
 constexpr int kLeftSide = 1, kRightSide = 2;
 /// By how much each side of a one-pixel-wide line moves out so that the line is one pixel wide, by the length
@@ -58,6 +60,7 @@ void NodePlacer::add(std::span<const ShapeWord> words, ArcKind kind, const Optio
   hold_text(words);
   find_thin_sides(words);
   if (has_thin_sides_) hold_square_ends();
+  hold_square_tips();
   straighten_stairs();
   if (options.corners == Corners::sharp) corners_.place(words, runs_, member_, *batch_);
   if (has_thin_sides_) widen_thin_lines();
@@ -116,6 +119,21 @@ void NodePlacer::hold_square_ends() {
       batch_->x[i] = batch_->rest_x[i] *= part;
       batch_->y[i] = batch_->rest_y[i] *= part;
     }
+  }
+}
+
+/// Where a shape two pixels wide ends square, the middle of its end stays where it is: a spline that shrinks
+/// would halve the area of a dot. Rectangles that are longer than a dot become round, as the holes of letters
+/// are.
+void NodePlacer::hold_square_tips() {
+  const bool is_rectangle = member_.closed && runs_.count() == 4;
+  if (is_rectangle && member_.count > kLongestDot) return;
+  for (int k = 0; k < runs_.count(); ++k) {
+    const Run& run = runs_[k];
+    if (run.length != 2 || !run.turns_back()) continue;
+    if (runs_.neighbour(k, -1)->length < 2 || runs_.neighbour(k, 1)->length < 2) continue;
+    const int i = entry(run.start + 1);
+    if (batch_->role[i] == NodeRole::free) batch_->set_role(i, NodeRole::held);
   }
 }
 
@@ -203,11 +221,15 @@ void NodePlacer::widen_thin_lines() {
   }
 }
 
-/// A node is text's where the step to it or from it runs along such.
+/// A node is text's where the step to it or from it runs along such; or, in a contour most of which does,
+/// anywhere: letters and dots are held as a whole.
 void NodePlacer::hold_text(std::span<const ShapeWord> words) {
-  bool is_before = member_.closed && words.back().is_text();
+  const auto along_text = std::count_if(words.begin(), words.end(), [](ShapeWord w) { return w.is_text(); });
+  if (along_text == 0) return;
+  const bool is_all = member_.closed && 2 * along_text >= member_.count;
+  bool is_before = is_all || (member_.closed && words.back().is_text());
   for (int k = 0; k < member_.count; ++k) {
-    const bool is_after = words[k].is_text();
+    const bool is_after = is_all || words[k].is_text();
     const int i = member_.first + k;
     if ((is_before || is_after) && batch_->role[i] == NodeRole::free) batch_->set_role(i, NodeRole::held);
     is_before = is_after;

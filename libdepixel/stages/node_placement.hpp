@@ -35,6 +35,7 @@ class NodePlacer {
   void find_thin_sides(std::span<const ShapeWord> words);
   void hold_corners();
   void hold_square_ends();
+  void hold_square_tips();
   void straighten_stairs();
   void straighten_stair(int run);
   void widen_thin_lines();
