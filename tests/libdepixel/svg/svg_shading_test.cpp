@@ -51,8 +51,8 @@ std::vector<Shaded> shaded_pictures() {
   return pictures;
 }
 
-/// Strips, discs and blurred squares come near to the raster's mixtures, and nearer than components of one colour
-/// do.
+/// Strips, discs and blurred squares come near to the raster's mixtures, and nearer than components of one
+/// colour do.
 constexpr double kMostError = 3.0, kPartOfFlat = 0.75;
 /// Edges take most of it; where all is of one colour it is 0.4.
 constexpr double kMostErrorOfGradients = 0.65;
