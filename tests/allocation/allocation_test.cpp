@@ -208,7 +208,7 @@ TEST_P(Allocation, AFailedOneLeavesNoTrace) {
       EXPECT_TRUE(out == expected);
     };
     bool is_done = false;
-    for (long few = 0; !is_done; few += 1 + few / 8) {
+    for (long few = 0; !is_done; few += 1 + few / 4) {
       IncrementalVectorizer vectorizer;
       PictureUpdater updater;
       MapChanges changes;
