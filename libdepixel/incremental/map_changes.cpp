@@ -7,7 +7,12 @@ namespace depixel {
 void MapChanges::add(const MapChanges& later) {
   if (everything || !later.any()) return;
   if (later.everything || !any()) {
-    *this = later;
+    everything = true;  // if memory for the rest cannot be had
+    tiles = later.tiles;
+    moves = later.moves;
+    new_tiles = later.new_tiles;
+    moved_tiles = later.moved_tiles;
+    everything = later.everything;
     return;
   }
   new_tiles = 0;
