@@ -34,6 +34,8 @@ void IncrementalVectorizer::vectorize(const FrameView& input, const Options& opt
   const bool is_known =
       is_good_ && options_ == of_vectorizing(options) && lattice() == size && !edges_.has_many_shapes();
   is_good_ = false;
+  if (is_working_) drop_buffers();  // the last frame failed on the way
+  is_working_ = true;
   options_ = of_vectorizing(options);
   const FrameView frame = border_.continued(blended(input, options, is_known), options.border);
   stats_.changed_pixels = stats_.stale_corners = stats_.changed_tiles = stats_.moved_tiles = 0;
@@ -44,6 +46,7 @@ void IncrementalVectorizer::vectorize(const FrameView& input, const Options& opt
   } else if (!blocks_.find_changed_rows(frame, graph())) {
     changes_.set_nothing();
     is_good_ = true;
+    is_working_ = false;
     clock.finish(0);
     return;
   } else {
@@ -86,6 +89,7 @@ void IncrementalVectorizer::vectorize(const FrameView& input, const Options& opt
   is_new_ ? set_all_changed() : compare();
   count();
   is_good_ = true;
+  is_working_ = false;
   clock.finish(5);
 }
 
@@ -109,6 +113,20 @@ void IncrementalVectorizer::count() {
   stats_.fitted_shapes = edges_.fitted_shapes();
   stats_.segments = edges_.segments();
   stats_.memory_bytes = memory_bytes();
+}
+
+/// Buffers of a frame that failed may have different sizes.
+void IncrementalVectorizer::drop_buffers() {
+  dithers_ = {};
+  border_ = {};
+  blocks_ = {};
+  graph_ = {};
+  components_ = {};
+  cells_ = {};
+  edges_ = {};
+  comparison_ = {};
+  changes_ = {};
+  shading_ = shading_before_ = {};
 }
 
 /// All that was known is void.

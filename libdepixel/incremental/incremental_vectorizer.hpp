@@ -49,6 +49,7 @@ class IncrementalVectorizer {
 
  private:
   FrameView blended(const FrameView& frame, const Options& options, bool is_known);
+  void drop_buffers();
   void forget(const Lattice& lattice);
   void settle_colours();
   void move_cells();
@@ -71,7 +72,8 @@ class IncrementalVectorizer {
 
   RuleSet rules_;
   Options options_;       ///< of the frame before
-  bool is_good_ = false;  ///< there was one, and nothing interrupted its work
+  bool is_good_ = false;  ///< there was one, and all is known of it
+  bool is_working_ = false;
   Workers workers_;
 
   DitherUpdater dithers_;
