@@ -28,14 +28,18 @@ constexpr Rgba kUnknownColour{1, 1, 1, 0};
 }  // namespace
 
 void IncrementalVectorizer::vectorize(const FrameView& input, const Options& options) {
+  if (is_working_) drop_buffers();  // the last frame failed on the way
+  is_working_ = true;
+  update(input, options);
+  is_working_ = false;
+}
+
+void IncrementalVectorizer::update(const FrameView& input, const Options& options) {
   StageClock clock(stats_);
   workers_.set_threads(options.threads);
   const Lattice size = Border::lattice_of(input, options.border);
   const bool is_known =
-      is_good_ && options_ == of_vectorizing(options) && lattice() == size && !edges_.has_many_shapes();
-  is_good_ = false;
-  if (is_working_) drop_buffers();  // the last frame failed on the way
-  is_working_ = true;
+      options_ && *options_ == of_vectorizing(options) && lattice() == size && !edges_.has_many_shapes();
   options_ = of_vectorizing(options);
   const FrameView frame = border_.continued(blended(input, options, is_known), options.border);
   stats_.changed_pixels = stats_.stale_corners = stats_.changed_tiles = stats_.moved_tiles = 0;
@@ -45,8 +49,6 @@ void IncrementalVectorizer::vectorize(const FrameView& input, const Options& opt
     blocks_.set_unknown(size);
   } else if (!blocks_.find_changed_rows(frame, graph())) {
     changes_.set_nothing();
-    is_good_ = true;
-    is_working_ = false;
     clock.finish(0);
     return;
   } else {
@@ -88,8 +90,6 @@ void IncrementalVectorizer::vectorize(const FrameView& input, const Options& opt
   build_shading(graph(), cells_, options, shading_);
   is_new_ ? set_all_changed() : compare();
   count();
-  is_good_ = true;
-  is_working_ = false;
   clock.finish(5);
 }
 
@@ -117,6 +117,7 @@ void IncrementalVectorizer::count() {
 
 /// Buffers of a frame that failed may have different sizes.
 void IncrementalVectorizer::drop_buffers() {
+  reset();
   dithers_ = {};
   border_ = {};
   blocks_ = {};
@@ -170,7 +171,7 @@ void IncrementalVectorizer::move_cells() {
 
 /// Those of the frame, where cells are made of whole ones; else none.
 const Components* IncrementalVectorizer::find_components() {
-  if (!options_.has_whole_components()) return nullptr;
+  if (!options_->has_whole_components()) return nullptr;
   label_components(graph(), components_);
   find_majority_colours(graph(), components_);
   return &components_;
@@ -179,13 +180,13 @@ const Components* IncrementalVectorizer::find_components() {
 /// Colours and codes of all cells, and the marks of pixels.
 void IncrementalVectorizer::build_cells() {
   build_cell_graph(graph(), find_components(), cells_);
-  if (options_.smoothing == Smoothing::energy) find_pixel_marks(graph(), options_.text_safe, marks_);
+  if (options_->smoothing == Smoothing::energy) find_pixel_marks(graph(), options_->text_safe, marks_);
   stale_.clear();
   is_opaque_ = depixel::is_opaque(lattice(), cells_.colours);
 }
 
 void IncrementalVectorizer::recolour() {
-  if (options_.has_whole_components()) {
+  if (options_->has_whole_components()) {
     unpainted_ = cells_.colours;
     paint_cells(graph(), find_components(), cells_);
     find_changed_colours(graph_.stale(), unpainted_);
@@ -228,7 +229,7 @@ void IncrementalVectorizer::encode_row(int y, std::span<const BlockSet::Run> run
   static_assert(sizeof(CornerCode) == 1);
   const int width = lattice().width(), first = lattice().corner(0, y);
   const auto* codes = reinterpret_cast<const std::uint8_t*>(cells_.corners.data()) + first;
-  const Components* components = options_.has_whole_components() ? &components_ : nullptr;
+  const Components* components = options_->has_whole_components() ? &components_ : nullptr;
   for (const BlockSet::Run run : runs) {
     const int from = run.from, end = run.to == width ? width + 1 : run.to;
     row_before_.assign(codes + from, codes + end + sizeof(Byte16));
@@ -240,7 +241,7 @@ void IncrementalVectorizer::encode_row(int y, std::span<const BlockSet::Run> run
 
 /// Rule::marks_by_links and Rule::text_by_marks. What makes a mark differ is less than a block away.
 void IncrementalVectorizer::mark() {
-  if (options_.smoothing != Smoothing::energy || !rules_.has(Rule::marks_by_links)) return;
+  if (options_->smoothing != Smoothing::energy || !rules_.has(Rule::marks_by_links)) return;
   marks_before_ = marks_;
   const auto for_each_run = [&](auto visit) {
     for (int y = 0; y < lattice().height(); ++y) {
@@ -248,9 +249,9 @@ void IncrementalVectorizer::mark() {
     }
   };
   for_each_run([&](int y, BlockSet::Run run) {
-    mark_lines(graph(), options_.text_safe, y, run.from, run.to, marks_);
+    mark_lines(graph(), options_->text_safe, y, run.from, run.to, marks_);
   });
-  if (options_.text_safe && rules_.has(Rule::text_by_marks)) {
+  if (options_->text_safe && rules_.has(Rule::text_by_marks)) {
     for_each_run([&](int y, BlockSet::Run run) { mark_text(graph(), y, run.from, run.to, marks_); });
   }
   if (rules_.has(Rule::curves_by_marks)) {
@@ -295,7 +296,7 @@ void IncrementalVectorizer::add_seams() {
 
 /// Whether a pixel beyond a seam has other marks than what was there for the block on this side.
 bool IncrementalVectorizer::has_new_mark_beside(glm::ivec2 beyond, const BlockMoves::Seam& seam) const {
-  if (options_.smoothing != Smoothing::energy) return false;
+  if (options_->smoothing != Smoothing::energy) return false;
   const auto mark_at = [&](const std::vector<std::uint8_t>& marks, glm::ivec2 at) {
     const bool is_inside = at.x >= 0 && at.y >= 0 && at.x < lattice().width() && at.y < lattice().height();
     return is_inside ? marks[lattice().pixel(at.x, at.y)] : std::uint8_t{0};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "libdepixel/incremental/block_moves.hpp"
@@ -27,7 +28,7 @@ class IncrementalVectorizer {
   /// \param input  a frame of at least 1x1 pixels; read during the call only.
   void vectorize(const FrameView& input, const Options& options);
   /// Forgets the frames before: the next one is vectorized from scratch.
-  void reset() { is_good_ = false; }
+  void reset() { options_.reset(); }
 
   /// Where the map differs from that of the call before.
   const MapChanges& changes() const { return changes_; }
@@ -48,6 +49,7 @@ class IncrementalVectorizer {
   const VectorizeStats& stats() const { return stats_; }
 
  private:
+  void update(const FrameView& input, const Options& options);
   FrameView blended(const FrameView& frame, const Options& options, bool is_known);
   void drop_buffers();
   void forget(const Lattice& lattice);
@@ -71,8 +73,7 @@ class IncrementalVectorizer {
   std::size_t memory_bytes() const;
 
   RuleSet rules_;
-  Options options_;       ///< of the frame before
-  bool is_good_ = false;  ///< there was one, and all is known of it
+  std::optional<Options> options_;  ///< of the frame before; none at first
   bool is_working_ = false;
   Workers workers_;
 

@@ -182,7 +182,7 @@ bool ends_well_with(long few, Work&& work) {
     work();
     is_done = true;
   } catch (const std::bad_alloc&) {
-    is_done = false;
+    // As was to be tried.
   }
   first_refused = std::numeric_limits<long>::max();
   return is_done;
