@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace depixel::bench {
@@ -11,6 +13,14 @@ inline double median(std::vector<double> samples) {
   const auto middle = samples.begin() + std::ptrdiff_t(samples.size() / 2);
   std::nth_element(samples.begin(), middle, samples.end());
   return *middle;
+}
+
+/// The median of quotients of two contestants' times, each of the same round: a machine whose speed changes
+/// from round to round changes both alike. At least one round.
+inline double median_ratio(const std::vector<double>& of, const std::vector<double>& to) {
+  std::vector<double> quotients(of.size());
+  std::transform(of.begin(), of.end(), to.begin(), quotients.begin(), std::divides());
+  return median(std::move(quotients));
 }
 
 /// Wall-clock milliseconds that a call takes.

@@ -35,10 +35,10 @@ void print_timing(const FrameTiming& timing, bool stages) {
   constexpr std::size_t kNameColumns = 36;
   std::string name = timing.name;
   if (name.size() > kNameColumns) name = "..." + name.substr(name.size() - kNameColumns + 3);
-  fmt::print("{:<36} {:>9.3f} {:>9.3f} {:>9.3f} {:>8.2f} {:>8.2f}", name, timing.vectorize_ms,
-             timing.raster_ms, timing.xbr4_ms, timing.vectorize_ratio(), timing.both_ratio());
-  for (std::size_t i = 0; stages && i < timing.stage_ms.size(); ++i) {
-    fmt::print(" {:>10.3f}", timing.stage_ms[i]);
+  fmt::print("{:<36} {:>9.3f} {:>9.3f} {:>9.3f} {:>8.2f} {:>8.2f}", name, median(timing.vectorize),
+             median(timing.raster), median(timing.xbr4), timing.vectorize_ratio(), timing.both_ratio());
+  for (std::size_t i = 0; stages && i < timing.stages.size(); ++i) {
+    fmt::print(" {:>10.3f}", median(timing.stages[i]));
   }
   fmt::print("\n");
   std::fflush(stdout);
@@ -83,10 +83,10 @@ void print_json(const std::vector<FrameTiming>& timings) {
   Json frames = Json::array();
   for (const FrameTiming& timing : timings) {
     frames.push_back({{"name", timing.name},
-                      {"vectorize_ms", timing.vectorize_ms},
-                      {"raster_ms", timing.raster_ms},
-                      {"both_ms", timing.both_ms()},
-                      {"xbr4_ms", timing.xbr4_ms},
+                      {"vectorize_ms", median(timing.vectorize)},
+                      {"raster_ms", median(timing.raster)},
+                      {"both_ms", median(timing.both)},
+                      {"xbr4_ms", median(timing.xbr4)},
                       {"scale", kTimingScale}});
   }
   fmt::print("{}\n", Json{{"frames", std::move(frames)}}.dump());
@@ -115,8 +115,8 @@ void print_generated(const std::filesystem::path& yardstick, const Settings& set
   for (const FrameTiming& timing : timings) print_timing(timing, settings.stages);
   const FrameTiming& real = timings.front();
   for (auto timing = std::next(timings.begin()); timing != timings.end(); ++timing) {
-    const double vectorize = timing->vectorize_ms / real.vectorize_ms,
-                 both = timing->both_ms() / real.both_ms();
+    const double vectorize = median_ratio(timing->vectorize, real.vectorize),
+                 both = median_ratio(timing->both, real.both);
     fmt::print("{}: vectorize {:.2f}, both {:.2f} times the real frame, wanted at most {}: {}\n",
                timing->name, vectorize, both, kWantedGenerated,
                verdict(std::max(vectorize, both), kWantedGenerated));
@@ -131,8 +131,8 @@ void print_sizes(const std::vector<std::filesystem::path>& files, const Settings
   fmt::print(
       "\nvectorize at {0}x{0} {1:.1f} ns a pixel, at {2}x{2} {3:.1f}: {4:.2f} times, wanted at most {5}: "
       "{6}\n",
-      kLargeSize, timing.whole_ns, kSmallSize, timing.cropped_ns, timing.ratio(), kWantedSizes,
-      verdict(timing.ratio(), kWantedSizes));
+      kLargeSize, timing.whole_ns, kSmallSize, timing.cropped_ns, timing.ratio, kWantedSizes,
+      verdict(timing.ratio, kWantedSizes));
 }
 
 /// What options cost on each frame.

@@ -11,53 +11,48 @@ namespace {
 
 constexpr int kMinRounds = 9;
 constexpr int kWarmUpRounds = 2;
+constexpr double kMsPerNs = 1e-6;
 const Options kOptions;  // the defaults, one thread
 
-/// All that is timed on one frame, and the samples.
+/// All that takes turns on one frame.
 class FrameTimer {
  public:
   explicit FrameTimer(const NamedPicture& frame, const Options& options = {})
-      : name_(frame.name),
-        options_(options),
+      : options_(options),
         view_(frame.picture.view()),
         out_(view_.width * kTimingScale, view_.height * kTimingScale),
         xbr_("xbr", kTimingScale, view_.width, view_.height) {
     xbr_.load(view_);
     for (int i = 0; i < kWarmUpRounds; ++i) round();
-    vectorize_.clear();
-    draw_.clear();
-    scale_.clear();
-    for (auto& samples : stages_) samples.clear();
+    timing_ = {};
+    timing_.name = frame.name;
   }
 
   void round() {
-    vectorize_.push_back(time_ms([&] { vectorizer_.vectorize(view_, options_); }));
+    const double vectorize = time_ms([&] { vectorizer_.vectorize(view_, options_); });
     const MapByEdge map = vectorizer_.by_edge();
     const View view = View::fit(map.edges.lattice, out_.width(), out_.height());
-    draw_.push_back(
-        time_ms([&] { raster_.draw(map, view, options_.linear_light, options_.threads, out_.target()); }));
-    scale_.push_back(time_ms([&] { xbr_.run(); }));
-    for (std::size_t i = 0; i < stages_.size(); ++i) {
-      stages_[i].push_back(1e-6 * double(vectorizer_.stats().stage_ns[i]));
-    }
+    const double raster =
+        time_ms([&] { raster_.draw(map, view, options_.linear_light, options_.threads, out_.target()); });
+    const std::array<std::int64_t, VectorizeStats::kStages>& stages_ns = vectorizer_.stats().stage_ns;
+    for (std::size_t i = 0; i < stages_ns.size(); ++i)
+      timing_.stages[i].push_back(kMsPerNs * double(stages_ns[i]));
+    timing_.vectorize.push_back(vectorize);
+    timing_.raster.push_back(raster);
+    timing_.both.push_back(vectorize - timing_.stages.back().back() + raster);
+    timing_.xbr4.push_back(time_ms([&] { xbr_.run(); }));
   }
 
-  FrameTiming result() const {
-    FrameTiming timing{name_, median(vectorize_), median(draw_), median(scale_), {}};
-    for (std::size_t i = 0; i < stages_.size(); ++i) timing.stage_ms[i] = median(stages_[i]);
-    return timing;
-  }
+  const FrameTiming& timing() const { return timing_; }
 
  private:
-  std::string name_;
   Options options_;
   FrameView view_;
   Vectorizer vectorizer_;
   CpuRaster raster_;
   Picture out_;
   LibavScaler xbr_;
-  std::vector<double> vectorize_, draw_, scale_;
-  std::array<std::vector<double>, VectorizeStats::kStages> stages_;
+  FrameTiming timing_;
 };
 
 }  // namespace
@@ -70,7 +65,7 @@ std::vector<FrameTiming> time_frames(std::span<const NamedPicture> frames, doubl
   });
   std::vector<FrameTiming> timings;
   timings.reserve(timers.size());
-  for (const FrameTimer& timer : timers) timings.push_back(timer.result());
+  for (const FrameTimer& timer : timers) timings.push_back(timer.timing());
   return timings;
 }
 
@@ -82,11 +77,9 @@ std::vector<double> time_options(const Picture& frame, std::span<const Options> 
   repeat_for(seconds * double(timers.size()), kMinRounds, [&] {
     for (FrameTimer& timer : timers) timer.round();
   });
-  const double of_defaults = timers.front().result().both_ms();
-  timers.pop_front();
   std::vector<double> ratios;
-  ratios.reserve(timers.size());
-  for (const FrameTimer& timer : timers) ratios.push_back(timer.result().both_ms() / of_defaults);
+  for (std::size_t i = 1; i < timers.size(); ++i)
+    ratios.push_back(median_ratio(timers[i].timing().both, timers[0].timing().both));
   return ratios;
 }
 
@@ -105,7 +98,7 @@ SizeTiming time_sizes(const Picture& picture, int crop_size, double seconds) {
   };
   repeat_for(seconds, kMinRounds, round);
   const double ns_a_pixel = 1e6 / double(picture.pixel_count());
-  return {median(whole_ms) * ns_a_pixel, median(cropped_ms) * ns_a_pixel};
+  return {median(whole_ms) * ns_a_pixel, median(cropped_ms) * ns_a_pixel, median_ratio(whole_ms, cropped_ms)};
 }
 
 }  // namespace depixel::bench

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/common/median.hpp"
 #include "bench/common/picture.hpp"
 #include "libdepixel/pipeline/vectorizer.hpp"
 
@@ -19,18 +20,18 @@ struct NamedPicture {
   Picture picture;
 };
 
-/// What a frame takes on one core; medians, in milliseconds.
+/// What a frame takes on one core, in milliseconds: a sample a round.
 struct FrameTiming {
   std::string name;
-  double vectorize_ms = 0;
-  double raster_ms = 0;  ///< at kTimingScale
-  double xbr4_ms = 0;    ///< libavfilter's xbr=n=4
-  std::array<double, VectorizeStats::kStages> stage_ms{};
-
+  std::vector<double> vectorize;
+  std::vector<double> raster;  ///< at kTimingScale
   /// From frame to pixels, which takes all stages but the last: the list of segments is for other readers.
-  double both_ms() const { return vectorize_ms - stage_ms.back() + raster_ms; }
-  double vectorize_ratio() const { return vectorize_ms / xbr4_ms; }
-  double both_ratio() const { return both_ms() / xbr4_ms; }
+  std::vector<double> both;
+  std::vector<double> xbr4;  ///< libavfilter's xbr=n=4
+  std::array<std::vector<double>, VectorizeStats::kStages> stages;
+
+  double vectorize_ratio() const { return median_ratio(vectorize, xbr4); }
+  double both_ratio() const { return median_ratio(both, xbr4); }
 };
 
 /// Times vectorizing, the raster and xbr on frames, warm. All run in turns, frame by frame, so that whatever
@@ -44,7 +45,7 @@ std::vector<double> time_options(const Picture& frame, std::span<const Options> 
 /// Vectorizing time in nanoseconds a pixel for one square picture: as a whole, and cut in small squares.
 struct SizeTiming {
   double whole_ns = 0, cropped_ns = 0;
-  double ratio() const { return whole_ns / cropped_ns; }
+  double ratio = 0;  ///< of whole to cropped
 };
 
 /// \param crop_size  side of the squares; divides the picture's.

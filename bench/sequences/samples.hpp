@@ -25,16 +25,12 @@ class Samples {
     return result;
   }
 
-  /// One contestant's times divided by another's, each by the one in the same playback; and of each frame but
-  /// the first, the median of the playbacks. A machine whose speed changes from playback to playback changes
-  /// both alike.
+  /// One contestant's times divided by another's in the same playback: of each frame but the first, the
+  /// median of the playbacks.
   friend std::vector<double> ratios(const Samples& of, const Samples& to) {
     std::vector<double> result;
     for (std::size_t frame = 1; frame < of.ms_.size(); ++frame) {
-      std::vector<double> quotients(of.ms_[frame].size());
-      std::transform(of.ms_[frame].begin(), of.ms_[frame].end(), to.ms_[frame].begin(), quotients.begin(),
-                     [](double a, double b) { return a / b; });
-      result.push_back(median(quotients));
+      result.push_back(median_ratio(of.ms_[frame], to.ms_[frame]));
     }
     return result;
   }
