@@ -58,12 +58,13 @@ void NodePlacer::add(std::span<const ShapeWord> words, ArcKind kind, const Optio
     return;
   }
   hold_text(words);
-  find_thin_sides(words);
-  if (has_thin_sides_) hold_square_ends();
+  const bool has_thin_sides =
+      std::any_of(words.begin(), words.end(), [](ShapeWord w) { return w.thin_sides() != 0; });
+  if (has_thin_sides) hold_square_ends(words);
   hold_square_tips();
   straighten_stairs();
   if (options.corners == Corners::sharp) corners_.place(words, runs_, member_, *batch_);
-  if (has_thin_sides_) widen_thin_lines();
+  if (has_thin_sides) widen_thin_lines(words);
 }
 
 /// Open arcs must stay where they end; all else may move.
@@ -84,17 +85,6 @@ void NodePlacer::place_at_rest(std::span<const ShapeWord> words) {
   }
 }
 
-/// On which sides of every step there is a pixel of a thin line.
-void NodePlacer::find_thin_sides(std::span<const ShapeWord> words) {
-  thin_sides_.resize(words.size());
-  int any = 0;
-  for (std::size_t k = 0; k < words.size(); ++k) {
-    thin_sides_[k] = static_cast<std::uint8_t>(words[k].thin_sides());
-    any |= thin_sides_[k];
-  }
-  has_thin_sides_ = any != 0;
-}
-
 void NodePlacer::hold_corners() {
   for (int k = 0; k < runs_.count(); ++k) {
     const Run& run = runs_[k];
@@ -104,14 +94,14 @@ void NodePlacer::hold_corners() {
   }
 }
 
-void NodePlacer::hold_square_ends() {
+void NodePlacer::hold_square_ends(std::span<const ShapeWord> words) {
   // The approximating spline stays inside its control points; one that goes through the nodes needs them
   // there.
   const float part = member_.interpolated ? 2.0f / 3.0f : 0.0f;
   for (const Run& run : runs_) {
     if (run.length != 1 || !run.turns_back()) continue;
     const int inner_side = run.turn_in > 0 ? kRightSide : kLeftSide;
-    if (!(thin_sides_[run.start] & inner_side)) continue;
+    if (!(words[run.start].thin_sides() & inner_side)) continue;
     for (const int i : {entry(run.start), entry(run.start + 1)}) {
       const bool is_cut = batch_->rest_x[i] != 0.0f;
       if (batch_->role[i] != NodeRole::free || !is_cut) continue;
@@ -189,20 +179,23 @@ void NodePlacer::straighten_stair(int index) {
   }
 }
 
-bool NodePlacer::is_thin(const Run& run, int side) const {
-  for (int j = 0; j < run.length; ++j) {
+/// The sides on which the steps of a run have a pixel of a thin line; 0 where they are not of one kind.
+int NodePlacer::thin_sides(const Run& run, std::span<const ShapeWord> words) const {
+  const int sides = words[run.start].thin_sides();
+  for (int j = 1; j < run.length; ++j) {
     const int node = run.start + j;
-    if (thin_sides_[node >= member_.count ? node - member_.count : node] != side) return false;
+    if (words[node >= member_.count ? node - member_.count : node].thin_sides() != sides) return 0;
   }
-  return true;
+  return sides;
 }
 
-void NodePlacer::widen_thin_lines() {
+void NodePlacer::widen_thin_lines(std::span<const ShapeWord> words) {
   for (int k = 0; k < runs_.count(); ++k) {
     const Run& run = runs_[k];
     if (run.length >= static_cast<int>(kWidening.size())) continue;
+    const int sides = thin_sides(run, words);
     for (const int side : {kLeftSide, kRightSide}) {
-      if (!is_thin(run, side)) continue;
+      if (sides != side) continue;
       // A single step belongs to the longer runs that it joins, if there are such.
       const auto is_longer = [](const Run* other) { return other != nullptr && other->length > 1; };
       const int from = run.length == 1 && is_longer(runs_.neighbour(k, -1)) ? 1 : 0;

@@ -26,31 +26,25 @@ class NodePlacer {
   void add(std::span<const ShapeWord> words, ArcKind kind, const Options& options, int source,
            ArcBatch& batch);
 
-  std::size_t memory_bytes() const {
-    return held_bytes(thin_sides_) + runs_.memory_bytes() + corners_.memory_bytes();
-  }
+  std::size_t memory_bytes() const { return runs_.memory_bytes() + corners_.memory_bytes(); }
 
  private:
   void place_at_rest(std::span<const ShapeWord> words);
-  void find_thin_sides(std::span<const ShapeWord> words);
   void hold_corners();
-  void hold_square_ends();
+  void hold_square_ends(std::span<const ShapeWord> words);
   void hold_square_tips();
   void straighten_stairs();
   void straighten_stair(int run);
-  void widen_thin_lines();
+  void widen_thin_lines(std::span<const ShapeWord> words);
   void hold_text(std::span<const ShapeWord> words);
 
   int entry(int node) const { return member_.first + (node >= member_.count ? node - member_.count : node); }
-  bool is_thin(const Run& run, int side) const;
+  int thin_sides(const Run& run, std::span<const ShapeWord> words) const;
 
   ArcBatch* batch_ = nullptr;
   ArcBatch::Member member_;
   Runs runs_;
   CornerPlacer corners_;
-  std::vector<std::uint8_t>
-      thin_sides_;  ///< by step: 1 where the pixel on the left is thin, plus 2 for the right
-  bool has_thin_sides_ = false;
 };
 
 }  // namespace depixel
