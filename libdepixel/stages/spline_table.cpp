@@ -4,6 +4,7 @@
 #include <atomic>
 #include <bit>
 #include <cstring>
+#include <limits>
 #include <numeric>
 
 #include "libdepixel/core/simd.hpp"
@@ -49,46 +50,51 @@ constexpr int kShapesAtOnce = 64;
 
 }  // namespace
 
-void SplineTable::Index::clear() {
+template <typename Key>
+void SplineTable::Index<Key>::clear() {
   constexpr std::size_t kFewest = 1024;
   entries_.assign(std::max(kFewest, entries_.size()), {{}, -1});
   shift_ = 64 - std::countr_zero(entries_.size());
   used_ = 0;
 }
 
-std::size_t SplineTable::Index::place_of(const std::array<std::uint32_t, 2>& key) const {
-  return std::bit_cast<std::uint64_t>(key) * kMultiplier >> shift_;
+template <typename Key>
+std::size_t SplineTable::Index<Key>::place_of(Key key) const {
+  return key * kMultiplier >> shift_;
 }
 
-void SplineTable::Index::prefetch(std::uint64_t key) const {
-  __builtin_prefetch(entries_.data() + place_of(std::bit_cast<std::array<std::uint32_t, 2>>(key)));
+template <typename Key>
+void SplineTable::Index<Key>::prefetch(Key key) const {
+  __builtin_prefetch(entries_.data() + place_of(key));
 }
 
-void SplineTable::Index::grow() {
+template <typename Key>
+void SplineTable::Index<Key>::grow() {
   std::vector<Entry> old(2 * entries_.size(), {{}, -1});
   old.swap(entries_);
   --shift_;
   const std::size_t mask = entries_.size() - 1;
   for (const Entry& entry : old) {
     if (entry.number < 0) continue;
-    std::size_t at = place_of(entry.key);
+    std::size_t at = place_of(std::bit_cast<Key>(entry.key));
     while (entries_[at].number >= 0) at = (at + 1) & mask;
     entries_[at] = entry;
   }
 }
 
+template <typename Key>
 template <typename IsSame>
-int SplineTable::Index::find_or_add(std::uint64_t key, int number, IsSame is_same) {
+int SplineTable::Index<Key>::find_or_add(Key key, int number, IsSame is_same) {
   const std::size_t mask = entries_.size() - 1;
-  const auto halves = std::bit_cast<std::array<std::uint32_t, 2>>(key);
-  std::size_t at = place_of(halves);
+  std::size_t at = place_of(key);
   for (; entries_[at].number >= 0; at = (at + 1) & mask) {
     // As one number: arrays would be compared by a call.
-    const bool is_key = std::bit_cast<std::uint64_t>(entries_[at].key) == key;
-    if (is_key && is_same(entries_[at].number)) return entries_[at].number;
+    if (std::bit_cast<Key>(entries_[at].key) == key && is_same(entries_[at].number))
+      return entries_[at].number;
   }
-  entries_[at] = {halves, number};
-  if (2 * ++used_ > entries_.size()) grow();
+  using Halves = decltype(Entry::key);
+  entries_[at] = {std::bit_cast<Halves>(key), number};
+  if (3 * ++used_ > 2 * entries_.size()) grow();
   return number;
 }
 
@@ -99,7 +105,10 @@ void SplineTable::clear() {
   shapes_.clear();
   numbers_.clear();
   fitted_shapes_ = 0;
-  for (Index* index : {&shape_index_, &curve_index_, &joined_index_}) index->clear();
+  shape_index_.clear();
+  curve_index_.clear();
+  joined_index_.clear();
+  first_joined_ = std::numeric_limits<int>::max();
   curves_.assign(1, {});
   tiles_.assign(1, 0);
   fitted_.assign(1, 0);
@@ -189,14 +198,17 @@ int SplineTable::joined(int fitted, bool southwards, glm::i16vec2 p0, glm::i16ve
   const EdgeCurve base = curves_[fitted];
   if (base.p0 == p0 && base.p3 == p3) return fitted;
   const std::array<std::int16_t, 4> ends{p0.x, p0.y, p3.x, p3.y};
-  const std::uint64_t key = std::rotl(load_vector<std::uint64_t>(ends.data()) * kMultiplier, 29) ^
-                            static_cast<std::uint64_t>(fitted);
+  const auto key = static_cast<std::uint32_t>(
+      (load_vector<std::uint64_t>(ends.data()) * kMultiplier + static_cast<std::uint64_t>(fitted)) *
+          kMultiplier >>
+      32);
   const auto next = static_cast<int>(curves_.size());
   // An edge's curve is fitted for its direction, so that the direction need not be compared.
   const int number = joined_index_.find_or_add(key, next, [&](int known) {
     return fitted_[known] == fitted && curves_[known].p0 == p0 && curves_[known].p3 == p3;
   });
   if (number == next) {
+    first_joined_ = std::min(first_joined_, number);
     curves_.push_back(join(base, southwards, p0, p3));
     tiles_.push_back(touched_tiles(curves_.back()));
     fitted_.push_back(fitted);

@@ -39,7 +39,7 @@ class SplineTable {
   /// The number of a curve with other ends (see join()); of a known curve that was fitted.
   int joined(int fitted, bool southwards, glm::i16vec2 p0, glm::i16vec2 p3);
   /// The fitted curve that a joined one was made from; of a fitted curve, itself.
-  int fitted(int number) const { return fitted_[number]; }
+  int fitted(int number) const { return number < first_joined_ ? number : fitted_[number]; }
 
   const EdgeCurve& curve(int number) const { return curves_[number]; }
   /// Fetches a curve that will be asked for.
@@ -64,23 +64,25 @@ class SplineTable {
   };
 
   /// Numbers by key, in open addressing; -1 where free.
+  /// \tparam Key  a word of 32 or 64 bits.
+  template <typename Key>
   class Index {
    public:
     void clear();
     /// Finds an entry of this key for which is_same(number) holds; where there is none, adds `number`.
     template <typename IsSame>
-    int find_or_add(std::uint64_t key, int number, IsSame is_same);
+    int find_or_add(Key key, int number, IsSame is_same);
     /// Fetches the place where a key may be.
-    void prefetch(std::uint64_t key) const;
+    void prefetch(Key key) const;
     std::size_t memory_bytes() const { return held_bytes(entries_); }
 
    private:
     struct Entry {
-      std::array<std::uint32_t, 2> key;  ///< halves, so that entries need no padding
+      std::array<std::uint32_t, sizeof(Key) / 4> key;  ///< halves, so that entries need no padding
       int number;
     };
     void grow();
-    std::size_t place_of(const std::array<std::uint32_t, 2>& key) const;
+    std::size_t place_of(Key key) const;
 
     std::vector<Entry> entries_;
     std::size_t used_ = 0;
@@ -94,11 +96,13 @@ class SplineTable {
   std::vector<ShapeWord> words_;
   std::vector<Shape> shapes_;
   std::size_t fitted_shapes_ = 0;  ///< shapes before this one have their curves
-  Index shape_index_, curve_index_, joined_index_;
+  Index<std::uint64_t> shape_index_, curve_index_;
+  Index<std::uint32_t> joined_index_;
   std::vector<int> numbers_;       ///< by place
   std::vector<EdgeCurve> curves_;  ///< entry 0 is nobody's
   std::vector<TileMask> tiles_;
-  std::vector<int> fitted_;
+  std::vector<int> fitted_;  ///< by number, see fitted()
+  int first_joined_ = 0;     ///< all curves before this one are fitted ones
   std::vector<ArcShape> added_;
   std::vector<SplineFitter> fitters_;  ///< one a thread
 };
