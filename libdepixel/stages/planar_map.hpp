@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "libdepixel/core/memory.hpp"
@@ -52,14 +56,17 @@ constexpr EdgeSides sides_of(int corner, bool southwards, int stride) {
 /// The segment along the visible edge that leaves a corner eastwards or southwards.
 inline Segment segment_of(const EdgeCurve& curve, glm::ivec2 corner_position, int corner, bool southwards,
                           int stride) {
-  const glm::ivec2 origin = corner_position * kSubpixels;
+  using Short8 = std::int16_t __attribute__((vector_size(16)));
+  using Int8 = std::int32_t __attribute__((vector_size(32)));
+  const glm::ivec2 o = corner_position * kSubpixels;
+  // All points at once: a list is long.
+  const Int8 points = __builtin_convertvector(std::bit_cast<Short8>(curve), Int8) +
+                      Int8{o.x, o.y, o.x, o.y, o.x, o.y, o.x, o.y};
   const EdgeSides sides = sides_of(corner, southwards, stride);
-  return {origin + glm::ivec2(curve.p0),
-          origin + glm::ivec2(curve.p1),
-          origin + glm::ivec2(curve.p2),
-          origin + glm::ivec2(curve.p3),
-          sides.left,
-          sides.right};
+  Segment segment{{}, {}, {}, {}, sides.left, sides.right};
+  static_assert(offsetof(Segment, left) == sizeof points);
+  std::memcpy(&segment, &points, sizeof points);
+  return segment;
 }
 
 /// A frame's planar map as the stages make it: what a PlanarMap lists, without the list, of which a segment
