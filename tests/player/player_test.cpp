@@ -46,7 +46,7 @@ Ended run_script(const std::string& script, const std::string& folder) {
       "shows() { test $(import -window root -crop $1 png:- | identify -format %k -) -gt $2; }; "
       // Starts the player and waits until keys go to its window, which has drawn something.
       "start() { $player \"$@\" & until_true xdotool search --onlyvisible --class depixel-player >id; "
-      "xdotool windowfocus --sync $(cat id); until_true shows 800x600+0+0 1; sleep 0.1; }; ";
+      "xdotool windowfocus --sync $(cat id); until_true shows 800x600+0+0 1; sleep 0.3; }; ";
   return run_program(DEPIXEL_XVFB_RUN, {"-a", "-s", kServer, "bash", "-c", head + script});
 }
 
@@ -195,8 +195,10 @@ TEST(Player, WritesVectorPicturesAndSequences) {
   for (int i = 0; i < 3; ++i)
     write_text(folder / ("clip/" + std::to_string(i) + ".png"), png_of(sample_picture(8, 8 + i)));
   const Ended ended = run_script(
-      "start clip --no-config --size 400x300; xdotool key space key Home key w; await 0.svg; xdotool key e; "
-      "await clip_depixel/2.png; sleep 0.1; xdotool key q; wait",
+      // What is written is the frame shown, which is not at once the first one.
+      "writes() { xdotool key Home key w; sleep 0.1; test -s 0.svg; }; "
+      "start clip --no-config --size 400x300; xdotool key space; until_true writes; xdotool key e; await "
+      "clip_depixel/2.png; sleep 0.1; xdotool key q; wait",
       folder.path().string());
   ASSERT_EQ(ended.exit_code, 0) << ended.out << ended.err;
   EXPECT_EQ(folder.names("clip_depixel"), (std::vector<std::string>{"0.png", "1.png", "2.png"}));
