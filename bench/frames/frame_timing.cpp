@@ -34,7 +34,7 @@ class FrameTimer {
     const View view = View::fit(map.edges.lattice, out_.width(), out_.height());
     const double raster =
         time_ms([&] { raster_.draw(map, view, options_.linear_light, options_.threads, out_.target()); });
-    const std::array<std::int64_t, VectorizeStats::kStages>& stages_ns = vectorizer_.stats().stage_ns;
+    const auto& stages_ns = vectorizer_.stats().stage_ns;
     for (std::size_t i = 0; i < stages_ns.size(); ++i)
       timing_.stages[i].push_back(kMsPerNs * double(stages_ns[i]));
     timing_.vectorize.push_back(vectorize);

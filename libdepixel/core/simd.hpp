@@ -73,6 +73,10 @@ inline Float8 clamp8(Float8 v, float low, float high) {
   return v > highs ? highs : v;
 }
 
+/// Eight integers of 32 or 16 bits that are worked on together.
+using Int8 = std::int32_t __attribute__((vector_size(32)));
+using Short8 = std::int16_t __attribute__((vector_size(16)));
+
 /// Two doubles that are worked on together.
 using Double2 = double __attribute__((vector_size(16)));
 

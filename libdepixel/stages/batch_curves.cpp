@@ -7,8 +7,6 @@
 namespace depixel {
 namespace {
 
-using Int8 = std::int32_t __attribute__((vector_size(32)));
-
 /// The whole number nearest to each of eight, of magnitudes below 2^22.
 inline Float8 nearest(Float8 v) {
   constexpr float kMagic = 12582912.0f;

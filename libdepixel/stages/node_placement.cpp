@@ -60,11 +60,11 @@ void NodePlacer::add(std::span<const ShapeWord> words, ArcKind kind, const Optio
   hold_text(words);
   const bool has_thin_sides =
       std::any_of(words.begin(), words.end(), [](ShapeWord w) { return w.thin_sides() != 0; });
-  if (has_thin_sides) hold_square_ends(words);
+  if (has_thin_sides) hold_square_ends();
   hold_square_tips();
   straighten_stairs();
   if (options.corners == Corners::sharp) corners_.place(words, runs_, member_, *batch_);
-  if (has_thin_sides) widen_thin_lines(words);
+  if (has_thin_sides) widen_thin_lines();
 }
 
 /// Open arcs must stay where they end; all else may move.
@@ -94,14 +94,14 @@ void NodePlacer::hold_corners() {
   }
 }
 
-void NodePlacer::hold_square_ends(std::span<const ShapeWord> words) {
+void NodePlacer::hold_square_ends() {
   // The approximating spline stays inside its control points; one that goes through the nodes needs them
   // there.
   const float part = member_.interpolated ? 2.0f / 3.0f : 0.0f;
   for (const Run& run : runs_) {
     if (run.length != 1 || !run.turns_back()) continue;
     const int inner_side = run.turn_in > 0 ? kRightSide : kLeftSide;
-    if (!(words[run.start].thin_sides() & inner_side)) continue;
+    if (!(thin_sides(run) & inner_side)) continue;
     for (const int i : {entry(run.start), entry(run.start + 1)}) {
       const bool is_cut = batch_->rest_x[i] != 0.0f;
       if (batch_->role[i] != NodeRole::free || !is_cut) continue;
@@ -180,20 +180,20 @@ void NodePlacer::straighten_stair(int index) {
 }
 
 /// The sides on which the steps of a run have a pixel of a thin line; 0 where they are not of one kind.
-int NodePlacer::thin_sides(const Run& run, std::span<const ShapeWord> words) const {
-  const int sides = words[run.start].thin_sides();
+int NodePlacer::thin_sides(const Run& run) const {
+  const auto sides_at = [&](int node) { return batch_->word[entry(node)].thin_sides(); };
+  const int sides = sides_at(run.start);
   for (int j = 1; j < run.length; ++j) {
-    const int node = run.start + j;
-    if (words[node >= member_.count ? node - member_.count : node].thin_sides() != sides) return 0;
+    if (sides_at(run.start + j) != sides) return 0;
   }
   return sides;
 }
 
-void NodePlacer::widen_thin_lines(std::span<const ShapeWord> words) {
+void NodePlacer::widen_thin_lines() {
   for (int k = 0; k < runs_.count(); ++k) {
     const Run& run = runs_[k];
     if (run.length >= static_cast<int>(kWidening.size())) continue;
-    const int sides = thin_sides(run, words);
+    const int sides = thin_sides(run);
     for (const int side : {kLeftSide, kRightSide}) {
       if (sides != side) continue;
       // A single step belongs to the longer runs that it joins, if there are such.

@@ -31,15 +31,15 @@ class NodePlacer {
  private:
   void place_at_rest(std::span<const ShapeWord> words);
   void hold_corners();
-  void hold_square_ends(std::span<const ShapeWord> words);
+  void hold_square_ends();
   void hold_square_tips();
   void straighten_stairs();
   void straighten_stair(int run);
-  void widen_thin_lines(std::span<const ShapeWord> words);
+  void widen_thin_lines();
   void hold_text(std::span<const ShapeWord> words);
 
-  int entry(int node) const { return member_.first + (node >= member_.count ? node - member_.count : node); }
-  int thin_sides(const Run& run, std::span<const ShapeWord> words) const;
+  int entry(int node) const { return member_.first + ArcBatch::wrapped(node, member_.count); }
+  int thin_sides(const Run& run) const;
 
   ArcBatch* batch_ = nullptr;
   ArcBatch::Member member_;

@@ -4,11 +4,10 @@
 #include <array>
 #include <bit>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <vector>
 
 #include "libdepixel/core/memory.hpp"
+#include "libdepixel/core/simd.hpp"
 #include "libdepixel/stages/edge_map.hpp"
 #include "libdepixel/stages/shading.hpp"
 
@@ -56,8 +55,6 @@ constexpr EdgeSides sides_of(int corner, bool southwards, int stride) {
 /// The segment along the visible edge that leaves a corner eastwards or southwards.
 inline Segment segment_of(const EdgeCurve& curve, glm::ivec2 corner_position, int corner, bool southwards,
                           int stride) {
-  using Short8 = std::int16_t __attribute__((vector_size(16)));
-  using Int8 = std::int32_t __attribute__((vector_size(32)));
   const glm::ivec2 o = corner_position * kSubpixels;
   // All points at once: a list is long.
   const Int8 points = __builtin_convertvector(std::bit_cast<Short8>(curve), Int8) +
@@ -65,7 +62,7 @@ inline Segment segment_of(const EdgeCurve& curve, glm::ivec2 corner_position, in
   const EdgeSides sides = sides_of(corner, southwards, stride);
   Segment segment{{}, {}, {}, {}, sides.left, sides.right};
   static_assert(offsetof(Segment, left) == sizeof points);
-  std::memcpy(&segment, &points, sizeof points);
+  store_vector(&segment, points);
   return segment;
 }
 

@@ -38,15 +38,15 @@ Sum colour_at(const LineTiles& tiles, const Tile& tile, double x, double y) {
 
 /// Mean colour of an output pixel, 0..255, from places on a grid.
 glm::dvec4 mean_of_pixel(const LineTiles& tiles, int scale, int x, int y) {
-  constexpr int kPlaces = 12;
+  constexpr int kPlacesAcross = 12;
   const Tile& tile = tiles.tiles()[std::size_t(y / scale) * tiles.width() + x / scale];
   const auto place = [&](int pixel, int i) {
-    return (pixel % scale + (i + 0.5) / kPlaces) * kTileUnits / scale + 0.1;
+    return (pixel % scale + (i + 0.5) / kPlacesAcross) * kTileUnits / scale + 0.1;
   };
   glm::dvec4 mean(0);
-  for (int i = 0; i < kPlaces * kPlaces; ++i) {
-    const Sum sum = colour_at(tiles, tile, place(x, i % kPlaces), place(y, i / kPlaces));
-    mean += glm::dvec4(sum[0], sum[1], sum[2], sum[3]) / (128.0 * kPlaces * kPlaces);
+  for (int i = 0; i < kPlacesAcross * kPlacesAcross; ++i) {
+    const Sum sum = colour_at(tiles, tile, place(x, i % kPlacesAcross), place(y, i / kPlacesAcross));
+    mean += glm::dvec4(sum[0], sum[1], sum[2], sum[3]) / (128.0 * kPlacesAcross * kPlacesAcross);
   }
   return mean;
 }

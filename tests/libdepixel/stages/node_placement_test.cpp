@@ -12,10 +12,10 @@
 namespace depixel::test {
 namespace {
 
-constexpr int kScale = 16;
+constexpr int kSamplesAPixel = 16;
 
 Picture drawn(const Picture& frame, const Options& options) {
-  Picture out(kScale * frame.width, kScale * frame.height);
+  Picture out(kSamplesAPixel * frame.width, kSamplesAPixel * frame.height);
   const PlanarMap map = vectorized(frame, options);
   CpuRaster().draw(map, View::fit(map.lattice, out.width, out.height), false, 1, out.target());
   return out;
@@ -25,7 +25,7 @@ Picture drawn(const Picture& frame, const Options& options) {
 double black_area(const Picture& picture) {
   double area = 0;
   for (const Rgba& pixel : picture.pixels) area += 1 - pixel.r / 255.0;
-  return area / (kScale * kScale);
+  return area / (kSamplesAPixel * kSamplesAPixel);
 }
 
 TEST(NodePlacement, DotsKeepMostOfTheirArea) {
@@ -45,7 +45,7 @@ TEST(NodePlacement, DotsAreTextAsAWholeOrNotAtAll) {
                                        ".###..##...",  //
                                        "..........."});
   const Picture picture = drawn(frame, {.text_safe = true});
-  const int first = 5 * kScale, last = 9 * kScale - 1;
+  const int first = 5 * kSamplesAPixel, last = 9 * kSamplesAPixel - 1;
   int most = 0;  // levels between a pixel and its mirror image; a few come from rounding
   for (int y = 0; y < picture.height; ++y) {
     for (int x = first; x <= last; ++x) {

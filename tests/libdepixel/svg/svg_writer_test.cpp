@@ -262,12 +262,12 @@ TEST(SvgWriter, RsvgDrawsRealPicturesAsTheRasterDoes) {
 /// Blending two shapes that share a pixel misses their exact sum by up to a quarter of their contrast, and of
 /// pictures of a few pixels, most are shared.
 RC_GTEST_PROP(SvgWriter, RsvgDrawsSmallPicturesNearly, ()) {
-  constexpr double kTolerance = 4.0;
+  constexpr double kMeanTolerance = 4.0;
   const Picture picture = *random_picture({.colours = "._#rgb4567"});
   Options options = *random_options();
   options.shading = ShadingKind::none;
   options.soft_contours = 0;
-  const std::string mismatch = rsvg_mismatch(picture, options, kTolerance);
+  const std::string mismatch = rsvg_mismatch(picture, options, kMeanTolerance);
   if (!mismatch.empty()) RC_FAIL(mismatch);
 }
 
